@@ -11,6 +11,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Checks a dataset of this format and returns its problems.</summary>
     internal Func<DatasetContent, IEnumerable<SessionProblem>> Check { get; init; } = _ => [];
 
+    /// <summary>The program that must be installed to write it; null if none.</summary>
+    internal string? Program { get; init; }
+
     /// <summary>Whether it requires instance masks.</summary>
     public bool NeedsMasks { get; init; }
 
@@ -37,6 +40,12 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
 
     /// <summary>Whether frames without known lanes are left out.</summary>
     public bool LeavesOutUnknownLanes { get; init; }
+
+    /// <summary>Whether it requires the flow from the frame before; frames without are left out.</summary>
+    public bool NeedsFlow { get; init; }
+
+    /// <summary>Whether it requires the samples of the inertial unit.</summary>
+    public bool NeedsImu { get; init; }
 
     /// <summary>Whether its objects have one 2D box, of a kind that can be chosen.</summary>
     public bool HasBoxes { get; init; }

@@ -72,6 +72,12 @@ public sealed class ExportFrame
     /// <summary>The rig of its session; null for a single camera.</summary>
     public Rig? Rig { get; init; }
 
+    /// <summary>The noise of the session's inertial unit; null for an ideal one, or none.</summary>
+    public ImuNoise? ImuNoise { get; init; }
+
+    /// <summary>Whether it is a moment's first view, or the session has no rig.</summary>
+    internal bool IsFirstView => Rig is null || Rig.Cameras[0].Name == Label.View;
+
     /// <summary>Moments of its session per second; 0 if they are not known.</summary>
     public double RateHz { get; init; }
 
@@ -104,20 +110,27 @@ public sealed class ExportFrame
 
     /// <summary>Reads the image.</summary>
     /// <exception cref="DatasetFormatException">The image is missing or damaged.</exception>
-    public PixelBuffer ReadImage()
+    public PixelBuffer ReadImage() => ReadImage(Label.Image);
+
+    /// <summary>Reads an image of the session.</summary>
+    /// <exception cref="DatasetFormatException">The image is missing or damaged.</exception>
+    internal PixelBuffer ReadImage(string name)
     {
         try
         {
-            return PictureReader.Read(ImagePath);
+            return PictureReader.Read(PathOf(name));
         }
         catch (DatasetFormatException e)
         {
-            throw Problem($"the image '{Label.Image}' cannot be read: {e.Message}");
+            throw Problem($"the image '{name}' cannot be read: {e.Message}");
         }
     }
 
     /// <summary>Path of the mask; null without one.</summary>
     public string? MaskPath => Label.Mask is null ? null : PathOf(Label.Mask);
+
+    /// <summary>Path of the depths of all pixels, or of those that rays measured if it has no others; null without a depth map.</summary>
+    internal string? DepthPath => Label.Depth is { } depth ? PathOf(depth.Completed ?? depth.Sparse) : null;
 
     /// <summary>Path of the class map; null without one.</summary>
     public string? ClassMapPath => Label.ClassMap is { } map ? PathOf(map.File) : null;
@@ -172,6 +185,13 @@ public sealed class ExportFrame
             : (_dividedPixels ??= InstancePixels.AllOf(DividedMask!)).GetValueOrDefault(label.Id);
     }
 
+    /// <summary>The flow from the frame before, whose image is there too; null if there is none.</summary>
+    internal FlowLabel? Flow => Label.Channels.Get<FlowLabel>() is { } flow && HasFile(ImageBefore(flow)) ? flow : null;
+
+    /// <summary>Path within the session of the image of the frame before, of the same view.</summary>
+    internal string ImageBefore(FlowLabel flow) =>
+        FormattableString.Invariant($"{FramePaths.In(FramePaths.Frames, Label.View)}/{flow.From:D8}{Path.GetExtension(Label.Image)}");
+
     /// <summary>Reads the points of a LiDAR.</summary>
     /// <exception cref="DatasetFormatException">The file is missing or damaged.</exception>
     internal LidarPoint[] ReadPoints(SweepLabel sweep) => ReadPoints(sweep.File);
@@ -199,7 +219,9 @@ public sealed class ExportFrame
     /// <summary>An error message that names this frame.</summary>
     public DatasetFormatException Problem(string message) => new($"{Session.Folder}, frame {Label.Frame}: {message}");
 
-    private string PathOf(string name) =>
+    /// <summary>Path of a file of the session.</summary>
+    /// <exception cref="DatasetFormatException">The name points outside the session.</exception>
+    internal string PathOf(string name) =>
         Session.IsWithin(name) ? Session.PathOf(name) : throw Problem($"'{name}' points outside the session.");
 
     private RecordedScene? ReadScene()

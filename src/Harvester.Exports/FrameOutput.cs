@@ -2,6 +2,7 @@ using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports;
@@ -46,6 +47,24 @@ public sealed class FrameOutput
         _files.Add(new(path, _imageDigest(frame)));
     }
 
+    /// <summary>Adds the image of the frame before, of the same view, in the format of the export.</summary>
+    /// <param name="path">Path in the dataset, with forward slashes.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="flow">The flow between both.</param>
+    /// <exception cref="DatasetFormatException">The image must be converted and cannot be read.</exception>
+    internal void ImageBefore(string path, ExportFrame frame, FlowLabel flow)
+    {
+        string name = frame.ImageBefore(flow);
+        if (frame.IsImageConverted)
+        {
+            File(path, stream => _encoder!.Write(frame.ReadImage(name), stream));
+            return;
+        }
+
+        _folder.Transfer(path, frame.PathOf(name), _transfer);
+        _files.Add(new(path, FileDigest.OfFile(frame.PathOf(name))));
+    }
+
     /// <summary>The bytes that <see cref="Image"/> would write.</summary>
     /// <exception cref="DatasetFormatException">The image must be converted and cannot be read.</exception>
     public byte[] ImageBytes(ExportFrame frame)
@@ -65,6 +84,16 @@ public sealed class FrameOutput
 
     /// <summary>Writes a file.</summary>
     public void File(string path, Action<Stream> write) => _files.Add(new(path, _folder.Write(path, write)));
+
+    /// <summary>Adds the image of a frame as a temporary file that becomes a part of an aggregate file.</summary>
+    /// <param name="part">Name of the part.</param>
+    /// <param name="frame">The frame.</param>
+    internal void StagedImage(string part, ExportFrame frame)
+    {
+        string path = $"{DatasetFolder.Staging}/{frame.Name}{frame.ImageExtension}";
+        Image(path, frame);
+        Part(part, path);
+    }
 
     /// <summary>Writes a temporary file that becomes a part of an aggregate file.</summary>
     /// <param name="part">Name of the part.</param>

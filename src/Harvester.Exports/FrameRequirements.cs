@@ -26,6 +26,11 @@ internal static class FrameRequirements
             throw frame.Problem($"it has no lanes, which {format.Name} needs. Harvest with roads, or choose another format.");
         }
 
+        if (format.NeedsImu && frame.IsFirstView && frame.Label.Channels.Get<ImuLabel>() is null)
+        {
+            throw frame.Problem($"it has no samples of an inertial unit, which {format.Name} needs. Harvest with --imu.");
+        }
+
         if (format.HasMap && options.Roads is null && !frame.HasFile(FramePaths.Roads))
         {
             throw frame.Problem(

@@ -14,6 +14,8 @@ from torchvision.datasets import Cityscapes, Kitti, VOCDetection
 
 import bdd100k
 import culane
+import euroc
+import flow
 import imagefolder
 import mcap
 import mcap_drive
@@ -23,6 +25,7 @@ import nuscenes_detection
 import openlabel
 import pairs
 import panoptic
+import radar
 import rigs
 from riders import joined
 
@@ -427,5 +430,8 @@ if __name__ == "__main__":
             os.path.join(root, "mcap", "train", "0000.mcap"),
         )
     )
+    print(radar.read(os.path.join(root, "radar"), os.path.join(root, "radar-nuscenes")))
+    print(euroc.read(os.path.join(root, "flowing"), os.path.join(root, "euroc")))
+    print(flow.read(root, os.path.join(root, "KittiFlow"), os.path.join(root, "middlebury-flow")))
     print(pairs.read(*(os.path.join(root, name) for name in ("moments", "pairs-csv", "pairs-webdataset"))))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

@@ -12,6 +12,7 @@ internal static class SessionForFormat
         DatasetFormats.Find(format)! switch
         {
             { NeedsClassMaps: true } => session.OpenWithClassMaps(),
+            { NeedsFlow: true } or { NeedsImu: true } => session.OpenWithFlow(),
             { HasMap: true } => session.OpenWithRoads(),
             _ => session.Open(),
         };

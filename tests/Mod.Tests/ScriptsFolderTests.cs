@@ -30,7 +30,7 @@ public sealed class ScriptsFolderTests
     [Fact]
     public void Example_rigs_are_in_the_folder() =>
         Assert.Equal(
-            ["kitti.json", "nuscenes-half.json", "nuscenes.json", "stereo.json", "thesis.json"],
+            ["kitti.json", "nuscenes-half.json", "nuscenes.json", "radar.json", "stereo.json", "thesis.json"],
             Directory
                 .EnumerateFileSystemEntries(Path.Combine(Folder, "GtaDataHarvester-rigs"))
                 .Select(Path.GetFileName)

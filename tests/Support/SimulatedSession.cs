@@ -1,9 +1,11 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
 using Harvester.Sessions.Semantics;
@@ -21,6 +23,8 @@ public sealed class SimulatedSession : IDisposable
     private readonly Lazy<string> _withClassMaps = new(() => Harvest(SemanticsMethod.Exact));
     private readonly Lazy<string> _withRoads = new(() => Harvest(null, keepsRoads: true));
 
+    private readonly Lazy<string> _withFlow = new(() => Harvest(null, hasFlow: true));
+
     public string Folder { get; } = Harvest(null);
 
     public SessionReader Open() => new(Folder);
@@ -31,10 +35,13 @@ public sealed class SimulatedSession : IDisposable
     /// <summary>Opens the same session with the roads beside its scenes.</summary>
     public SessionReader OpenWithRoads() => new(_withRoads.Value);
 
+    /// <summary>Opens the same session with flow and an inertial unit.</summary>
+    public SessionReader OpenWithFlow() => new(_withFlow.Value);
+
     public void Dispose()
     {
         Directory.Delete(Folder, recursive: true);
-        foreach (Lazy<string> made in (Lazy<string>[])[_withClassMaps, _withRoads])
+        foreach (Lazy<string> made in (Lazy<string>[])[_withClassMaps, _withRoads, _withFlow])
         {
             if (made.IsValueCreated)
             {
@@ -43,7 +50,7 @@ public sealed class SimulatedSession : IDisposable
         }
     }
 
-    private static string Harvest(SemanticsMethod? semantics, bool keepsRoads = false)
+    private static string Harvest(SemanticsMethod? semantics, bool keepsRoads = false, bool hasFlow = false)
     {
         string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
@@ -64,6 +71,7 @@ public sealed class SimulatedSession : IDisposable
             RangeMetres = 80,
             Masks = true,
             Semantics = semantics,
+            Channels = new ChannelKeys(hasFlow ? [FrameChannels.Flow.Key, FrameChannels.Imu.Key] : []),
         };
         RoadNetwork roads = game.Roads;
         if (keepsRoads)

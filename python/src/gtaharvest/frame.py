@@ -14,11 +14,13 @@ from .checks import checked, each, integer, number, one_line, optional, text
 from .drive import Drive
 from .errors import LabelError, MissingPictureError, NotInSessionError, SessionError
 from .events import EventMark
+from .imu import imu_rows
 from .lanes import Lanes
 from .motion import motion_rows
 from .picture_header import Picture
 from .pictures import Depth, Size, read_class_map, read_depth, read_image, read_mask, read_vectors
 from .points import Points, read_points
+from .radar import radar_tables
 from .records import Ego, IgnoreRegion, ObjectLabel, Pair
 from .selection import Selection
 
@@ -358,6 +360,23 @@ class Frame:
         what is unknown.
         """
         return checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
+
+    @functools.cached_property
+    def radars(self) -> Dict[str, Array]:
+        """The detections of each radar of the rig by its name, (detections, 8); empty without a radar.
+
+        A row has range, azimuth and elevation (degrees, to the left and up), radial velocity, ground velocity, cross-section (dB above
+        1 m²), object id and origin (0 target, 1 ghost, 2 clutter).
+        """
+        return checked(self._source, lambda: radar_tables(self.raw.get("radar", [])))
+
+    @functools.cached_property
+    def imu(self) -> Optional[Array]:
+        """What the inertial unit measured since the frame before, (samples, 7); None if the session has none.
+
+        A row has time, angular rate (3, rad/s) and specific force (3, m/s²), both along the vehicle's right, forward and up.
+        """
+        return checked(self._source, lambda: imu_rows(self.raw["imu"]) if "imu" in self.raw else None)
 
     @functools.cached_property
     def events(self) -> Optional[Tuple[EventMark, ...]]:

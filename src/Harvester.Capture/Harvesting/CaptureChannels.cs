@@ -7,7 +7,16 @@ internal static class CaptureChannels
 {
     /// <summary>All channels.</summary>
     public static IReadOnlyList<CaptureChannel> All { get; } =
-    [new ClassMapCapture(), new DepthCapture(), new NormalsCapture(), new FlowCapture(), new LidarCapture(), new PairCapture()];
+    [
+        new ClassMapCapture(),
+        new DepthCapture(),
+        new NormalsCapture(),
+        new FlowCapture(),
+        new ImuCapture(),
+        new LidarCapture(),
+        new RadarCapture(),
+        new PairCapture(),
+    ];
 
     /// <summary>The channels that a harvest has.</summary>
     public static IEnumerable<CaptureChannel> Of(HarvestOptions options) => All.Where(channel => channel.IsOn(options));

@@ -94,11 +94,7 @@ internal sealed class FrameHarvester(
     /// <summary>Numbers the frames that the flow has taken, and queues them until their pictures are drawn.</summary>
     private void AwaitPictures()
     {
-        if (flow.TakenSeconds is { } seconds && motion?.TakeBefore(seconds) is { } samples && flow.Taken.Count > 0)
-        {
-            flow.Taken[0].Motion = samples;
-        }
-
+        motion?.GiveTo(flow, options.Motion);
         AddEvents();
         foreach (FrameDraft frame in flow.Taken)
         {

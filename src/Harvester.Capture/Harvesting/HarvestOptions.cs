@@ -177,6 +177,9 @@ public sealed record HarvestOptions : LabellingOptions
         init;
     }
 
+    /// <summary>The noise of the inertial unit, if the harvest has one; null (default) for an ideal unit.</summary>
+    public ImuNoise? ImuNoise { get; init; }
+
     /// <summary>How events are found; null (default) to find none.</summary>
     public EventOptions? Events { get; init; }
 
@@ -223,7 +226,13 @@ public sealed record HarvestOptions : LabellingOptions
     /// <summary>Distance of the rig's farthest camera from the origin of the vehicle's model, metres; 0 without a rig.</summary>
     internal double RigReachMetres => Rig?.Cameras.Max(camera => Rig.OnVehicle(camera.Mount).Position.Length) ?? 0;
 
-    /// <summary>Distance that the rig's LiDARs see from the origin of the vehicle's model at most, metres; 0 without a LiDAR.</summary>
+    /// <summary>
+    /// Distance that the rig's LiDARs and radars see from the origin of the vehicle's model at most, metres; 0 without any.
+    /// </summary>
     internal double LidarReachMetres =>
-        Rig?.Lidars.Select(lidar => Rig.OnVehicle(lidar.Mount).Position.Length + lidar.RangeMetres).DefaultIfEmpty().Max() ?? 0;
+        Rig?.Lidars.Select(lidar => Rig.OnVehicle(lidar.Mount).Position.Length + lidar.RangeMetres)
+            .Concat(Rig.Radars.Select(radar => Rig.OnVehicle(radar.Mount).Position.Length + radar.RangeMetres))
+            .DefaultIfEmpty()
+            .Max()
+        ?? 0;
 }

@@ -50,7 +50,7 @@ public sealed class HarvestSession : IDisposable
 
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
-        _motion = options.Motion ? new MotionRecorder(game.World) : null;
+        _motion = MotionRecorder.For(options, game.World);
         _watch = options.Rig is null ? new PictureWatch(options.Image) : null;
         _pool = new PixelBufferPool(options.Image);
         _reader = new SceneReader(game.World, options);

@@ -1,3 +1,4 @@
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -16,6 +17,41 @@ internal sealed class MotionRecorder(IWorld world)
     private readonly Queue<MotionSample> _samples = new();
     private double _last = double.NegativeInfinity;
 
+    /// <summary>Takes what an inertial unit measures of each recorded tick; null if there is none.</summary>
+    public ImuRecorder? Imu { get; init; }
+
+    /// <summary>The recorder of a harvest; null if it needs none.</summary>
+    public static MotionRecorder? For(HarvestOptions options, IWorld world)
+    {
+        ImuRecorder? imu = options.Channels.Contains(FrameChannels.Imu.Key) ? new ImuRecorder(options.ImuNoise) : null;
+        return options.Motion || imu is not null ? new MotionRecorder(world) { Imu = imu } : null;
+    }
+
+    /// <summary>Gives the first of the frames that a flow has taken what was recorded since the frame before.</summary>
+    /// <param name="flow">The flow.</param>
+    /// <param name="keepsMotion">Whether the motion itself is part of labels, beside the samples of the inertial unit.</param>
+    public void GiveTo(ICaptureFlow flow, bool keepsMotion)
+    {
+        if (flow.TakenSeconds is not { } seconds)
+        {
+            return;
+        }
+
+        // Taken in any case: the frame may be that of another shard.
+        IReadOnlyList<MotionSample> samples = TakeBefore(seconds);
+        IReadOnlyList<ImuSample>? measured = Imu?.TakeThrough(seconds);
+        if (flow.Taken.Count == 0)
+        {
+            return;
+        }
+
+        flow.Taken[0].Motion = keepsMotion ? samples : null;
+        if (measured is not null)
+        {
+            flow.Taken[0].Add(new ImuPart(measured));
+        }
+    }
+
     /// <summary>Records the present tick, unless it has been recorded.</summary>
     public void Record()
     {
@@ -29,10 +65,12 @@ internal sealed class MotionRecorder(IWorld world)
             }
 
             _samples.Clear();
+            Imu?.Restart();
         }
 
         EgoState ego = world.ReadEgo();
         _last = time;
+        Imu?.Add(time, ego);
         if (_samples.Count == MaxSamples)
         {
             _samples.Dequeue();

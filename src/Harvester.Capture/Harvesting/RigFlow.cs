@@ -5,6 +5,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
@@ -23,6 +24,7 @@ internal sealed class RigFlow : ICaptureFlow
     private readonly Rig _rig;
     private readonly ViewCapture[] _views;
     private readonly LidarScanner[] _lidars;
+    private readonly RadarScanner[] _radars;
     private readonly FrozenScene _scene;
     private readonly TickBudget _budget;
     private readonly HarvestCounters _counters;
@@ -52,6 +54,7 @@ internal sealed class RigFlow : ICaptureFlow
             )),
         ];
         _lidars = [.. rig.Lidars.Select(lidar => new LidarScanner(lidar, rig.OnVehicle(lidar.Mount), options, game, registry))];
+        _radars = [.. rig.Radars.Select(radar => new RadarScanner(radar, rig.OnVehicle(radar.Mount), options, game, registry))];
     }
 
     public IReadOnlyList<FrameDraft> Taken { get; private set; } = [];
@@ -86,6 +89,11 @@ internal sealed class RigFlow : ICaptureFlow
             foreach (LidarScanner lidar in _lidars)
             {
                 lidar.AssignIds(moment);
+            }
+
+            foreach (RadarScanner radar in _radars)
+            {
+                radar.AssignIds(moment);
             }
 
             for (int index = 0; index < _views.Length; index++)
@@ -242,6 +250,24 @@ internal sealed class RigFlow : ICaptureFlow
         if (sweeps.Count > 0)
         {
             views[0].Add(new SweptPoints(sweeps));
+        }
+
+        yield return WorkStep.Do(MeasureByRadar(moment, views[0]));
+    }
+
+    private IEnumerable<WorkStep> MeasureByRadar(SceneSnapshot moment, FrameDraft first)
+    {
+        var scans = new List<RadarScan>();
+        var scan = new WorkResult<RadarScan>();
+        foreach (RadarScanner radar in _radars)
+        {
+            yield return WorkStep.Do(radar.Scan(moment, scan));
+            scans.Add(scan.Value!);
+        }
+
+        if (scans.Count > 0)
+        {
+            first.Add(new RadarPart(scans));
         }
     }
 }

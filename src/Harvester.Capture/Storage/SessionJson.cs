@@ -155,6 +155,11 @@ internal static class SessionJson
             json.Key("motion").Boolean(true);
         }
 
+        if (options.ImuNoise is { } noise && options.Channels.Contains(FrameChannels.Imu.Key))
+        {
+            Append(json.Key("imuNoise"), noise);
+        }
+
         if (options.Events is { } events)
         {
             json.Key("events")
@@ -206,6 +211,20 @@ internal static class SessionJson
 
         json.EndObject();
     }
+
+    private static void Append(JsonText json, ImuNoise noise) =>
+        json.BeginObject()
+            .Key("gyroscope")
+            .Number(noise.Gyroscope, ImuNoise.Decimals)
+            .Key("gyroscopeWalk")
+            .Number(noise.GyroscopeWalk, ImuNoise.Decimals)
+            .Key("accelerometer")
+            .Number(noise.Accelerometer, ImuNoise.Decimals)
+            .Key("accelerometerWalk")
+            .Number(noise.AccelerometerWalk, ImuNoise.Decimals)
+            .Key("seed")
+            .Integer(noise.Seed)
+            .EndObject();
 
     private static void Append(JsonText json, PairOptions pairs)
     {

@@ -11,6 +11,7 @@ using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 
@@ -98,6 +99,7 @@ internal sealed class HarvestCommand
     private SemanticsOptions Semantics { get; } = new();
 
     private ChannelOptions Channels { get; } = new();
+    private ImuOptions ImuOf { get; } = new();
 
     private Option<bool> TrueOcclusion { get; } =
         new("--true-occlusion") { Description = "Also label how much of each object the renderer hides, exactly; slower" };
@@ -231,6 +233,7 @@ internal sealed class HarvestCommand
         Array.ForEach(options, command.Options.Add);
         Semantics.AddTo(command);
         Channels.AddTo(command);
+        ImuOf.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -309,6 +312,7 @@ internal sealed class HarvestCommand
             MaskMethod = masks ?? MaskMethod.Rays,
             Semantics = Semantics.Method(parsed),
             Channels = Channels.Keys(parsed),
+            ImuNoise = ImuOf.Parse(parsed, Channels.Keys(parsed).Contains(FrameChannels.Imu.Key), parsed.GetValue(Seed)),
             Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),

@@ -49,7 +49,18 @@ internal static class OptionGroups
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
         new(
             "Further data",
-            ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--events", "--keep-around", "--keep-kinds", "--no-scenes"]
+            [
+                "--masks",
+                "--semantics",
+                "--materials",
+                .. Switches,
+                "--imu-noise",
+                "--motion",
+                "--events",
+                "--keep-around",
+                "--keep-kinds",
+                "--no-scenes",
+            ]
         ),
         new("Lanes", ["--look-ahead", "--paint", "--lane-width", "--narrow-lane-width"]),
         new("Pairs of pictures", ["--pair-weathers", "--pair-hours", "--pair-without", "--pair-ticks"]),

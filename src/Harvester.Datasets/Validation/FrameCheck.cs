@@ -42,6 +42,8 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
             .. _laneIds.Problems(label),
             .. MotionCheck.Problems(label),
+            .. ImuCheck.Problems(label),
+            .. RadarCheck.Problems(label),
             .. DriveCheck.Problems(label),
             .. IgnoreRegionCheck.Problems(label),
             .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),

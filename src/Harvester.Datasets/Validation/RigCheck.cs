@@ -43,6 +43,14 @@ internal static class RigCheck
             yield return $"camera.position is not where the rig has '{label.View}' on the vehicle.";
         }
 
+        IEnumerable<string> radars = index == 0 ? rig.Radars.Select(radar => radar.Name) : [];
+        if (!(label.Channels.Get<RadarsLabel>()?.Scans ?? []).Select(scan => scan.Sensor).SequenceEqual(radars))
+        {
+            yield return index == 0
+                ? "radar does not list each radar of the rig once, in its order."
+                : "radar belongs into the line of the first view.";
+        }
+
         string[] lidars = [.. index == 0 ? rig.Lidars.Select(lidar => lidar.Name) : []];
         if (!label.Lidar.Select(sweep => sweep.Sensor).SequenceEqual(lidars))
         {

@@ -46,6 +46,7 @@ internal static class PlannedFrames
                     FrameInSequence = inSequence[view]++,
                     RecordingIndex = session,
                     Rig = info.Rig,
+                    ImuNoise = info.ImuNoise,
                     RateHz = info.RateHz ?? 0,
                     Split = plan.Options.Splits.Of(new FramePlace(session, here, inSession[view])),
                     FrameInSession = inSession[view]++,

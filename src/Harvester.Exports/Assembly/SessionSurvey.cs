@@ -103,7 +103,9 @@ internal sealed class SessionSurvey
         if (_written.Count == 0)
         {
             throw new DatasetFormatException(
-                $"No frame has lanes, which {Format.Name} needs. Harvest with roads, or choose another format."
+                Format.NeedsFlow
+                    ? $"No frame has a flow from a frame before, which {Format.Name} needs. Harvest with --flow, or choose another format."
+                    : $"No frame has lanes, which {Format.Name} needs. Harvest with roads, or choose another format."
             );
         }
 
@@ -122,7 +124,10 @@ internal sealed class SessionSurvey
         _masks[frame.RecordingIndex] += frame.Label.Mask is null ? 0 : 1;
         _hasWholeBoxes |= frame.Label.Objects.Any(label => label.Box2DWhole is not null);
         _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
-        if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
+        if (
+            (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
+            && (!Format.NeedsFlow || frame.Flow is not null)
+        )
         {
             _written.Add(new FramePlace(frame.RecordingIndex, frame.Label.Place ?? 0, frame.FrameInSession));
             SeparatedNeighbours += _last.TryGetValue(frame.SequenceIndex, out string? split) && split != frame.Split ? 1 : 0;

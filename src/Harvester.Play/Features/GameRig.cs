@@ -54,7 +54,8 @@ public static class GameRig
         return options.Rig is { } rig ? ProblemOf(options, rig)
             : options.Pairs.IsAny && !options.Freeze
                 ? "PairWeathers, PairHours and PairWithout need Mode = Freeze, because all pictures of a pair show one moment."
-            : options is { Freeze: false } && FrameChannels.All.FirstOrDefault(channel => options.Channels.Contains(channel.Key)) is { } map
+            : options is { Freeze: false }
+            && FrameChannels.All.FirstOrDefault(channel => channel.Folders.Count > 0 && options.Channels.Contains(channel.Key)) is { } map
                 ? $"{map.Switch?.Name} needs Mode = Freeze, because its rays are cast while the world stands still."
             : null;
     }
@@ -81,6 +82,7 @@ public static class GameRig
         return rig
             .Cameras.Select(camera => (camera.Name, camera.Mount))
             .Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
+            .Concat(rig.Radars.Select(radar => (radar.Name, radar.Mount)))
             .Where(sensor => VehicleBody.Encloses(ego, rig.OnVehicle(sensor.Mount).Position, rays))
             .Select(sensor => $"'{sensor.Name}' of the rig '{rig.Name}' is inside the body of the vehicle. Move it outside.")
             .FirstOrDefault();

@@ -6,6 +6,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
@@ -79,6 +80,7 @@ public static class HarvestSettings
                     .All.Where(channel => channel.Switch is { } own && ini.Choice(Harvest, own.Name, Switch.Off, "On or Off") == Switch.On)
                     .Select(channel => channel.Key)
             ),
+            ImuNoise = ImuNoiseOf(ini),
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             Events = events == Switch.On ? new EventOptions { RateHz = eventRate } : null,
             Pairs = PairsOf(ini),
@@ -99,6 +101,17 @@ public static class HarvestSettings
                 ? error
                 : null,
         };
+    }
+
+    private static ImuNoise? ImuNoiseOf(IniFile ini)
+    {
+        IReadOnlyList<string> parts = ini.List(
+            Harvest,
+            "ImuNoise",
+            $"a list of {ImuNoise.Form}, from 0 to 1000, or {ImuNoise.Adis16448}",
+            text => ImuNoise.Parse(text) is null ? null : text
+        );
+        return parts.Count > 0 ? ImuNoise.Parse(string.Join(",", parts)) : null;
     }
 
     private static PairOptions PairsOf(IniFile ini)

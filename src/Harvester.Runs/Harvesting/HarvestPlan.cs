@@ -107,7 +107,9 @@ public sealed record HarvestPlan
             string shard = Options.Shard.Count > 1 ? $"shard {Options.Shard} of " : "";
             return Options.Rig is { } rig
                 ? $"{shard}{Counted.Of(Frames / rig.Cameras.Count, "moment")} of the rig {rig.Name}, "
-                    + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")} each, "
+                    + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")}"
+                    + (rig.Radars.Count > 0 ? $" and {Counted.Of(rig.Radars.Count, "radar")}" : "")
+                    + " each, "
                     + FormattableString.Invariant($"about {RigBudget.SecondsPerMoment(rig, Options.Masks, Options.Depth):G2} s per moment")
                 : $"{shard}{Counted.Of(Frames, "frame")} of {Options.Image.Width} x {Options.Image.Height}";
         }

@@ -16,6 +16,7 @@ public static class RigMounting
             (string name, Pose mount) in rig
                 .Cameras.Select(camera => (camera.Name, camera.Mount))
                 .Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
+                .Concat(rig.Radars.Select(radar => (radar.Name, radar.Mount)))
         )
         {
             if (game.IsInsideCar(rig.OnVehicle(mount).Position))

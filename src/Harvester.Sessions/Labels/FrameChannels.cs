@@ -24,11 +24,17 @@ public static class FrameChannels
     /// <summary>The channel of dense motion.</summary>
     public static FlowChannel Flow { get; } = new();
 
+    /// <summary>The channel of the detections of radars.</summary>
+    public static RadarsChannel Radars { get; } = new();
+
+    /// <summary>The channel of the inertial unit.</summary>
+    public static ImuChannel Imu { get; } = new();
+
     /// <summary>The channels whose fields stand before the rays.</summary>
     internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs];
+    internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs, Imu, Radars];
 
     /// <summary>All channels.</summary>
     public static IReadOnlyList<FrameChannel> All { get; } = [.. Maps, .. Others];

@@ -23,6 +23,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>Frames, or moments of a rig, per second of the game's time; null if it is not recorded.</summary>
     public double? RateHz { get; init; }
 
+    /// <summary>The noise of the inertial unit; null for an ideal one, or none.</summary>
+    public ImuNoise? ImuNoise { get; init; }
+
     /// <summary>Whether the session has scenes; null if it is not recorded.</summary>
     public bool? KeepsScenes { get; init; }
 
@@ -146,6 +149,10 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         {
             Rig = session.Has("rig") ? RigOf(session) : null,
             RateHz = session.Has("options") ? session.Fields("options").OptionalNumber("rateHz") : null,
+            ImuNoise =
+                session.Has("options") && session.Fields("options") is var options && options.Has("imuNoise")
+                    ? NoiseOf(options.Fields("imuNoise"))
+                    : null,
             KeepsScenes =
                 session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes") : null,
             HasManifest = session.Has("manifest") && session.Boolean("manifest"),
@@ -168,4 +175,16 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };
     }
+
+    private static ImuNoise NoiseOf(JsonFields noise) =>
+        noise.Checked(() =>
+            new ImuNoise
+            {
+                Gyroscope = noise.Number("gyroscope"),
+                GyroscopeWalk = noise.Number("gyroscopeWalk"),
+                Accelerometer = noise.Number("accelerometer"),
+                AccelerometerWalk = noise.Number("accelerometerWalk"),
+                Seed = noise.Integer("seed"),
+            }
+        );
 }

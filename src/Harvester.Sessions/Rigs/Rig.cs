@@ -12,6 +12,9 @@ namespace Harvester.Sessions.Rigs;
 /// <param name="Lidars">The LiDARs.</param>
 public sealed record Rig(string Name, Vector3D Origin, IReadOnlyList<RigCamera> Cameras, IReadOnlyList<RigLidar> Lidars)
 {
+    /// <summary>The radars.</summary>
+    public IReadOnlyList<RigRadar> Radars { get; init; } = [];
+
     /// <summary>The pose of a sensor in the frame of the vehicle's model.</summary>
     /// <param name="mount">Its pose relative to <see cref="Origin"/>.</param>
     public Pose OnVehicle(Pose mount) => mount with { Position = Origin + mount.Position };

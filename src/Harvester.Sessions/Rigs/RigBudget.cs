@@ -61,5 +61,6 @@ public static class RigBudget
     private static double Pixels(Rig rig) =>
         (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras.Sum(camera => (double)camera.Image.Width * camera.Image.Height);
 
-    private static double LidarRays(Rig rig) => rig.Lidars.Sum(lidar => lidar.RayFraction * lidar.Rays);
+    private static double LidarRays(Rig rig) =>
+        rig.Lidars.Sum(lidar => lidar.RayFraction * lidar.Rays) + rig.Radars.Sum(static radar => (double)radar.Rays);
 }

@@ -49,7 +49,48 @@ internal static class RigJson
             Append(json, lidar);
         }
 
-        json.EndArray().EndObject();
+        json.EndArray();
+        if (rig.Radars.Count > 0)
+        {
+            json.Key("radars").BeginArray();
+            foreach (RigRadar radar in rig.Radars)
+            {
+                Append(json, radar);
+            }
+
+            json.EndArray();
+        }
+
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, RigRadar radar)
+    {
+        json.BeginObject().Key("name").String(radar.Name);
+        Append(json, radar.Mount)
+            .Key("azimuthDegrees")
+            .Exact(radar.AzimuthDegrees)
+            .Key("elevationDegrees")
+            .Exact(radar.ElevationDegrees)
+            .Key("rangeMetres")
+            .Exact(radar.RangeMetres)
+            .Key("azimuthStepDegrees")
+            .Exact(radar.AzimuthStepDegrees)
+            .Key("rangeStepMetres")
+            .Exact(radar.RangeStepMetres)
+            .Key("rangeNoiseMetres")
+            .Exact(radar.RangeNoiseMetres)
+            .Key("azimuthNoiseDegrees")
+            .Exact(radar.AzimuthNoiseDegrees)
+            .Key("velocityNoise")
+            .Exact(radar.VelocityNoise)
+            .Key("ghostFraction")
+            .Exact(radar.GhostFraction)
+            .Key("clutter")
+            .Exact(radar.Clutter)
+            .Key("maxDetections")
+            .Integer(radar.MaxDetections)
+            .EndObject();
     }
 
     private static void Append(JsonText json, RigLidar lidar)

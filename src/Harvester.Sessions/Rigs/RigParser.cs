@@ -15,6 +15,9 @@ public static class RigParser
     /// <summary>Maximum number of LiDARs.</summary>
     public const int MaxLidars = 8;
 
+    /// <summary>Maximum number of radars.</summary>
+    public const int MaxRadars = 8;
+
     private const double MaxOffsetMetres = 20;
     private const double MinFovDegrees = 1;
     private const double MaxFovDegrees = 170;
@@ -28,6 +31,8 @@ public static class RigParser
     private const double MaxRateHz = 100;
     private const double MaxRangeMetres = 1000;
     private const double MinRayFraction = 0.01;
+    private const double MaxClutter = 100;
+    private const int MaxDetections = 1000;
     private const double UsualMinRangeMetres = 0.5;
     private const double UsualRateHz = 10;
     private const double UsualRangeMetres = 100;
@@ -54,6 +59,7 @@ public static class RigParser
         Vector3D origin = file.Has("origin") ? file.Vector("origin", MaxOffsetMetres) : Vector3D.Zero;
         CheckedJson[] cameras = file.List("cameras");
         CheckedJson[] lidars = file.List("lidars");
+        CheckedJson[] radars = file.List("radars");
         file.End();
         if (cameras.Length is 0 or > MaxCameras)
         {
@@ -65,9 +71,17 @@ public static class RigParser
             throw file.Wrong("lidars", FormattableString.Invariant($"a list of at most {MaxLidars} LiDARs"));
         }
 
+        if (radars.Length > MaxRadars)
+        {
+            throw file.Wrong("radars", FormattableString.Invariant($"a list of at most {MaxRadars} radars"));
+        }
+
         var names = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
         RigCamera[] made = [.. cameras.Select(camera => CameraOf(camera, names))];
-        return new Rig(name, origin, made, [.. lidars.Select(lidar => LidarOf(lidar, names))]);
+        return new Rig(name, origin, made, [.. lidars.Select(lidar => LidarOf(lidar, names))])
+        {
+            Radars = [.. radars.Select(radar => RadarOf(radar, names))],
+        };
     }
 
     private static RigCamera CameraOf(CheckedJson camera, HashSet<string> names)
@@ -142,6 +156,30 @@ public static class RigParser
             MotionDistortion = lidar.Flag("motionDistortion", false),
         };
         lidar.End();
+        return made;
+    }
+
+    private static RigRadar RadarOf(CheckedJson radar, HashSet<string> names)
+    {
+        var usual = new RigRadar(
+            UniqueNameOf(radar, names),
+            MountOf(radar),
+            radar.Number("azimuthDegrees", 1, 180, 120),
+            radar.Number("elevationDegrees", 1, 60, 20),
+            radar.Number("rangeMetres", 1, MaxRangeMetres, 250)
+        );
+        RigRadar made = usual with
+        {
+            AzimuthStepDegrees = radar.Number("azimuthStepDegrees", 0.1, 45, usual.AzimuthStepDegrees),
+            RangeStepMetres = radar.Number("rangeStepMetres", 0.05, 10, usual.RangeStepMetres),
+            RangeNoiseMetres = radar.Number("rangeNoiseMetres", 0, 10, 0),
+            AzimuthNoiseDegrees = radar.Number("azimuthNoiseDegrees", 0, 10, 0),
+            VelocityNoise = radar.Number("velocityNoise", 0, 10, 0),
+            GhostFraction = radar.Number("ghostFraction", 0, 1, 0),
+            Clutter = radar.Number("clutter", 0, MaxClutter, 0),
+            MaxDetections = radar.Has("maxDetections") ? radar.Whole("maxDetections", 1, MaxDetections) : usual.MaxDetections,
+        };
+        radar.End();
         return made;
     }
 

@@ -26,6 +26,8 @@ public sealed class HarvestedFormats : IDisposable
                 "2",
                 "--semantics",
                 "exact",
+                "--flow",
+                "--imu",
                 "--image-format",
                 format
             );

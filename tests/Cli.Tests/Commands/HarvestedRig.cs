@@ -1,13 +1,14 @@
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>A small harvest of two cameras of different sizes and a LiDAR, as a whole and in two shards.</summary>
+/// <summary>A small harvest of two cameras of different sizes a LiDAR and a radar, as a whole and in two shards.</summary>
 public sealed class HarvestedRig : IDisposable
 {
     public const string Rig = """
         {"name":"pair","cameras":[
         {"name":"left","position":[-0.3,2,0.4],"verticalFovDegrees":50,"width":80,"height":60},
         {"name":"right","position":[0.3,2,0.4],"yawDegrees":-10,"verticalFovDegrees":60,"width":64,"height":64}],
-        "lidars":[{"name":"top","position":[0,0,1.6],"beamsDegrees":[0,-4,-8],"columns":40}]}
+        "lidars":[{"name":"top","position":[0,0,1.6],"beamsDegrees":[0,-4,-8],"columns":40}],
+        "radars":[{"name":"ahead","position":[0,2,0.4],"rangeNoiseMetres":0.1,"velocityNoise":0.1,"ghostFraction":0.2,"clutter":3}]}
         """;
 
     private readonly TemporaryFolder _folder = new();

@@ -10,11 +10,12 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture<HarvestedFormats>, IDisposable
 {
     /// <summary>What the paths of pictures that are no camera images contain.</summary>
-    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/", "maps/"];
+    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/", "maps/", "flow_", "obj_map", "other-masks"];
 
     private readonly TemporaryFolder _folder = new();
 
-    public static TheoryData<string> Formats => [.. DatasetFormats.All.Select(format => format.Name)];
+    public static TheoryData<string> Formats =>
+        [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
 
     private string Out => _folder.PathOf("out");
 
@@ -137,7 +138,9 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
                 .Where(image => !image.Contains("laneseg_label", StringComparison.Ordinal)),
         ];
         Assert.Equal(
-            format is "webdataset" or "mcap" or "pcd" or "ply" or "gpudrive" or "womd" ? 0 : HarvestedFormats.Frames,
+            format is "webdataset" or "mcap" or "pcd" or "ply" or "gpudrive" or "womd" ? 0
+                : DatasetFormats.Find(format)!.NeedsFlow ? 2 * FlowsIn("png")
+                : HarvestedFormats.Frames,
             images.Length
         );
         Assert.All(images, image => Assert.EndsWith(".jpg", image, StringComparison.Ordinal));
@@ -183,6 +186,8 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
         CliRun validate = CliRun.Of("validate", Out);
         Assert.True(validate.ExitCode == ExitCode.Done, validate.Out);
     }
+
+    private int FlowsIn(string format) => Directory.GetFiles(Path.Combine(harvested.SessionOf(format), "flow-forward")).Length;
 
     private static bool IsImage(string path) =>
         Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !Maps.Any(part => path.Contains(part, StringComparison.Ordinal));

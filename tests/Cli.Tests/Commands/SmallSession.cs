@@ -6,7 +6,20 @@ public sealed class SmallSession : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     public SmallSession() =>
-        SharedHarvest.CopyTo(Folder, "--frames", "2", "--seed", "6", "--size", "80x60", "--semantics", "exact", "--no-report");
+        SharedHarvest.CopyTo(
+            Folder,
+            "--frames",
+            "2",
+            "--seed",
+            "6",
+            "--size",
+            "80x60",
+            "--semantics",
+            "exact",
+            "--flow",
+            "--imu",
+            "--no-report"
+        );
 
     public string Folder => _folder.PathOf("session");
 

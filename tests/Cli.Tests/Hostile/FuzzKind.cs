@@ -12,6 +12,7 @@ using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
+using Harvester.Runs.Scenarios;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
@@ -71,7 +72,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "roads paint {0}/session --out {0}/out.csv",
                 MapOfSession,
                 "pairs {0}/session --format csv --out {0}/out",
-                .. DatasetFormats.All.Select(format => Export(format.Name)),
+                .. DatasetFormats.All.Where(format => format.Program is null).Select(format => Export(format.Name)),
             ]
         ),
         new(
@@ -134,8 +135,16 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "validate {0}/session",
                 Relabel
             )),
-        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
-        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("depth", "session/depth/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel, Export("kitti-flow")),
+        new(
+            "flow-flags",
+            "session/flow-forward-flags/00000001.png",
+            ValidatePictures,
+            "validate {0}/session",
+            Relabel,
+            Export("middlebury-flow")
+        ),
         new(
             "map",
             "maps/0.png",
@@ -149,6 +158,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("dataset-manifest", "csv", "manifest.jsonl"),
         Dataset("csv-frames", "csv", "frames.csv"),
         Dataset("csv-objects", "csv", "objects.csv"),
+        Dataset("parquet-frames", "parquet", "frames.parquet"),
+        Dataset("parquet-objects", "parquet", "objects.parquet"),
         Dataset("coco", "coco", "annotations/instances_train.json"),
         Dataset("panoptic", "coco-panoptic", "annotations/panoptic_train.json"),
         Dataset("keypoints", "coco-keypoints", "annotations/person_keypoints_train.json"),
@@ -156,6 +167,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("jta-camera", "jta", "cameras/train/seq_0.json"),
         Dataset("kitti", "kitti", "training/label_2/000000.txt"),
         Dataset("kitti-tracking", "kitti-tracking", "training/label_02/0000.txt"),
+        Dataset("kitti-flow", "kitti-flow", "training/flow_occ/000001_10.png"),
+        Dataset("middlebury-flow", "middlebury-flow", "other-gt-flow/000001/flow10.flo"),
+        Dataset("euroc", "euroc", "train/0000/mav0/imu0/data.csv"),
+        Dataset("euroc-states", "euroc", "train/0000/mav0/state_groundtruth_estimate0/data.csv"),
         Dataset("voc", "voc", "Annotations/00000000.xml"),
         Dataset("yolo", "yolo", "labels/train/00000000.txt"),
         Dataset("outlines", "yolo-segment", "labels/train/00000000.txt"),
@@ -203,6 +218,12 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "scenario show {0}/scenario.json",
             "scenario export {0}/scenario.json --out {0}/out.xosc",
             "plan check {0}/staged.json"
+        ),
+        new(
+            "open-scenario",
+            "scenario.xosc",
+            folder => OpenScenarioReader.Read(InputFile.ReadAllText(In(folder, "scenario.xosc")), "fuzz"),
+            "scenario import {0}/scenario.xosc --out {0}/out.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),

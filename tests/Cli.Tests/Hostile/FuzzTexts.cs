@@ -134,6 +134,48 @@ internal static class FuzzTexts
             """
         ),
         (
+            "scenario.xosc",
+            """
+            <?xml version="1.0" encoding="utf-8"?>
+            <OpenSCENARIO>
+              <FileHeader revMajor="1" revMinor="2" date="2000-01-01T00:00:00" description="fuzz (cutIn): A cut-in." author="a" />
+              <Entities>
+                <ScenarioObject name="Ego"><Vehicle name="car" vehicleCategory="car" /></ScenarioObject>
+                <ScenarioObject name="a"><Vehicle name="car" vehicleCategory="van"><Properties>
+                  <Property name="gtaModel" value="car" /></Properties></Vehicle></ScenarioObject>
+              </Entities>
+              <Storyboard>
+                <Init><Actions>
+                  <Private entityRef="Ego"><PrivateAction><LongitudinalAction><SpeedAction>
+                    <SpeedActionDynamics dynamicsShape="step" dynamicsDimension="time" value="0" />
+                    <SpeedActionTarget><AbsoluteTargetSpeed value="9" /></SpeedActionTarget>
+                  </SpeedAction></LongitudinalAction></PrivateAction></Private>
+                  <Private entityRef="a"><PrivateAction><TeleportAction><Position>
+                    <RelativeLanePosition entityRef="Ego" dLane="1" ds="14.5" offset="0"><Orientation type="relative" h="0" />
+                    </RelativeLanePosition></Position></TeleportAction></PrivateAction></Private>
+                </Actions></Init>
+                <Story name="s"><Act name="t"><ManeuverGroup name="g" maximumExecutionCount="1">
+                  <Actors selectTriggeringEntities="false"><EntityRef entityRef="a" /></Actors>
+                  <Maneuver name="m"><Event name="in" priority="override" maximumExecutionCount="1">
+                    <Action name="c"><PrivateAction><LateralAction><LaneChangeAction>
+                      <LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="2" />
+                      <LaneChangeTarget><RelativeTargetLane entityRef="Ego" value="0" /></LaneChangeTarget>
+                    </LaneChangeAction></LateralAction></PrivateAction></Action>
+                    <StartTrigger><ConditionGroup><Condition name="n" delay="0.5" conditionEdge="none"><ByEntityCondition>
+                      <TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="Ego" /></TriggeringEntities>
+                      <EntityCondition><RelativeDistanceCondition entityRef="a" relativeDistanceType="euclidianDistance"
+                        freespace="false" rule="lessOrEqual" value="20" /></EntityCondition>
+                    </ByEntityCondition></Condition></ConditionGroup></StartTrigger>
+                  </Event></Maneuver>
+                </ManeuverGroup></Act></Story>
+                <StopTrigger><ConditionGroup><Condition name="end" delay="0" conditionEdge="none"><ByValueCondition>
+                  <SimulationTimeCondition rule="greaterOrEqual" value="9" /></ByValueCondition></Condition></ConditionGroup></StopTrigger>
+              </Storyboard>
+            </OpenSCENARIO>
+
+            """
+        ),
+        (
             "scenario.json",
             """
             {"name": "fuzz", "kind": "cutIn", "parameters": {"gap": {"min": 10, "max": 20}, "speed": [8, 10], "late": 2},
@@ -156,7 +198,8 @@ internal static class FuzzTexts
             "rig.json",
             """
             {"name": "pair", "cameras": [{"name": "LEFT", "position": [0, 1.7, 1.5], "verticalFovDegrees": 39, "width": 64, "height": 48}],
-             "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}]}
+             "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}],
+             "radars": [{"name": "AHEAD", "position": [0, 3.9, 0.5], "clutter": 2}]}
 
             """
         ),

@@ -59,6 +59,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static IReadOnlyList<string> Inputs { get; } =
     [
         $"harvest --out {{inputs}}/session --frames 2 {Small}",
+        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu {Small}",
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
@@ -66,6 +67,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         "harvest --out {inputs}/lines --frames 1 --size 320x240 --seed 5 --roads {inputs}/roads.csv",
         $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
         "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {inputs}/gpudrive",
+        "scenario export {inputs}/scenario.json --out {inputs}/scenario.xosc",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -110,6 +112,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/scenario.json"],
             IsKilled = true,
         },
+        new("scenario-export", "scenario export {inputs}/scenario.json --out {root}/scenario.xosc"),
+        new("scenario-import", "scenario import {inputs}/scenario.xosc --out {root}/scenario.json"),
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
@@ -124,12 +128,16 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
+        new("export-kitti-flow", "export {inputs}/moving --format kitti-flow --out {root}/out"),
+        new("export-middlebury-flow", "export {inputs}/moving --format middlebury-flow --out {root}/out"),
+        new("export-euroc", "export {inputs}/moving --format euroc --out {root}/out"),
         new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
         new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-parquet", "export {inputs}/session --format parquet --out {root}/out"),
         new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
         new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
         new("log-import", "log import {inputs}/gpudrive/train/0000_0000.json --out {root}/out"),
@@ -158,7 +166,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above")
         {
             Only = ["above/depth-completed/", "above/session.json"],
-            IsKilled = true,
         },
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),

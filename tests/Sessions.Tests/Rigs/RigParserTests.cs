@@ -52,6 +52,7 @@ public sealed class RigParserTests
     [InlineData("nuscenes", 6, 1)]
     [InlineData("nuscenes-half", 6, 1)]
     [InlineData("kitti", 4, 1)]
+    [InlineData("radar", 1, 0)]
     public void Examples_are_read(string name, int cameras, int lidars)
     {
         Rig rig = RigParser.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "rigs", $"{name}.json")));
@@ -136,6 +137,55 @@ public sealed class RigParserTests
 
         Assert.StartsWith(message, refused.Message, StringComparison.Ordinal);
     }
+
+    [Theory]
+    [InlineData("\"azimuthDegrees\":181", "radars[0].azimuthDegrees must be a number from 1 to 180.")]
+    [InlineData("\"ghostFraction\":2", "radars[0].ghostFraction must be a number from 0 to 1.")]
+    [InlineData("\"clutter\":-1", "radars[0].clutter must be a number from 0 to 100.")]
+    [InlineData("\"maxDetections\":0", "radars[0].maxDetections must be a number from 1 to 1000.")]
+    [InlineData("\"range\":100", "radars[0].range is not a field of a rig.")]
+    public void Impossible_radar_is_refused(string field, string message)
+    {
+        FormatException refused = Assert.Throws<FormatException>(() => RigParser.Parse(WithRadar(field)));
+
+        Assert.StartsWith(message, refused.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Radar_survives_writing_and_reading()
+    {
+        const string fields =
+            "\"yawDegrees\":90,\"azimuthDegrees\":100,\"elevationDegrees\":10,\"rangeMetres\":70,\"azimuthStepDegrees\":2,"
+            + "\"rangeStepMetres\":0.5,\"rangeNoiseMetres\":0.1,\"azimuthNoiseDegrees\":0.2,\"velocityNoise\":0.3,\"ghostFraction\":0.4,"
+            + "\"clutter\":5,\"maxDetections\":60";
+        Rig rig = RigParser.Parse(WithRadar(fields));
+        var json = new JsonText();
+        RigJson.Append(json, rig);
+
+        RigRadar radar = Assert.Single(rig.Radars);
+        RigRadar again = Assert.Single(RigParser.Parse(json.ToString()).Radars);
+
+        Assert.Equal(
+            (100, 10, 70, 2, 0.5),
+            (radar.AzimuthDegrees, radar.ElevationDegrees, radar.RangeMetres, radar.AzimuthStepDegrees, radar.RangeStepMetres)
+        );
+        Assert.Equal(
+            (0.1, 0.2, 0.3, 0.4, 5, 60),
+            (
+                radar.RangeNoiseMetres,
+                radar.AzimuthNoiseDegrees,
+                radar.VelocityNoise,
+                radar.GhostFraction,
+                radar.Clutter,
+                radar.MaxDetections
+            )
+        );
+        Assert.Equal(radar with { Mount = default }, again with { Mount = default });
+        Assert.InRange((radar.Mount.Axes.Forward - again.Mount.Axes.Forward).Length, 0, 1e-9);
+    }
+
+    private static string WithRadar(string fields) =>
+        $$"""{"name":"r","cameras":[{{Camera}}],"radars":[{"name":"ahead","position":[0,2,0.5],{{fields}}}]}""";
 
     private static string With(string camera, string lidar) => $$"""{"name":"r","cameras":[{{camera}}],"lidars":[{{lidar}}]}""";
 }

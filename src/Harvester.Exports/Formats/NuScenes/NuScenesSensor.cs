@@ -6,7 +6,7 @@ using Harvester.Sessions.Rigs;
 
 namespace Harvester.Exports.Formats.NuScenes;
 
-/// <summary>A file of a sensor at one moment: an image, or the points of a LiDAR.</summary>
+/// <summary>A file of a sensor at one moment: an image, the points of a LiDAR, or the detections of a radar.</summary>
 /// <param name="Channel">Name of the sensor.</param>
 /// <param name="File">Path in the dataset.</param>
 /// <param name="Width">Width of the image, pixels; 0 for points.</param>
@@ -18,8 +18,17 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     private const int QuaternionDecimals = 9;
     private const int PixelDecimals = 6;
 
+    /// <summary>Extension of the files of radars; those of LiDARs have another.</summary>
+    public const string RadarExtension = ".pcd";
+
     /// <summary>Whether it is a camera.</summary>
     public bool IsCamera => Width > 0;
+
+    /// <summary>What kind of sensor it is, as the tables say.</summary>
+    public string Modality =>
+        IsCamera ? "camera"
+        : File.EndsWith(RadarExtension, StringComparison.Ordinal) ? "radar"
+        : "lidar";
 
     /// <summary>The sensor of a view.</summary>
     public static NuScenesSensor Of(RigCamera camera, CameraLabel label, string file)
@@ -36,6 +45,10 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     /// <summary>The sensor of a LiDAR, whose axes are nuScenes' own: x right, y forward, z up.</summary>
     public static NuScenesSensor Of(RigLidar lidar, string file) =>
         new(lidar.Name, file, 0, 0, CalibrationOf(lidar.Mount, Rotation.OfSensor(InEgo(lidar.Mount.Axes)), null));
+
+    /// <summary>The sensor of a radar, whose axes are nuScenes' own: x forward, y left, z up.</summary>
+    public static NuScenesSensor Of(RigRadar radar, string file) =>
+        new(radar.Name, file, 0, 0, CalibrationOf(radar.Mount, Rotation.OfBody(InEgo(radar.Mount.Axes)), null));
 
     /// <summary>Writes the sensor.</summary>
     public void Write(Utf8JsonWriter json)

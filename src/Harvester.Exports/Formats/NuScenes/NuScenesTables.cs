@@ -148,7 +148,7 @@ internal static class NuScenesTables
                 {
                     json.WriteString("token", SensorToken(sensor.Channel));
                     json.WriteString("channel", sensor.Channel);
-                    json.WriteString("modality", sensor.IsCamera ? "camera" : "lidar");
+                    json.WriteString("modality", sensor.Modality);
                 };
             }
         }

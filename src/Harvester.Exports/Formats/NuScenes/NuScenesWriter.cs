@@ -66,6 +66,16 @@ internal sealed class NuScenesWriter : IDatasetWriter
             sensors.Add(NuScenesSensor.Of(lidar, file));
         }
 
+        foreach (RadarScan detected in label.Channels.Get<RadarsLabel>()?.Scans ?? [])
+        {
+            RigRadar radar =
+                rig.Radars.FirstOrDefault(each => each.Name == detected.Sensor)
+                ?? throw frame.Problem($"its radar '{detected.Sensor}' is not in the rig.");
+            string file = PathOf(frame, isKey, radar.Name, timestamp, NuScenesSensor.RadarExtension);
+            output.File(file, stream => NuScenesRadar.Write(stream, detected));
+            sensors.Add(NuScenesSensor.Of(radar, file));
+        }
+
         NuScenesGround ground = GroundOf(frame.Session);
         Pose ego = PoseOf(label.Ego);
         NuScenesArea area = NuScenesArea.Around(ego.Position, ground.MarginMetres);

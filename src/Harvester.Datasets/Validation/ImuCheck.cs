@@ -1,0 +1,39 @@
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>
+/// Checks the samples of the inertial unit: their times ascend and end with the frame, and they are within what a unit measures.
+/// </summary>
+internal static class ImuCheck
+{
+    /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
+    private const double TimeTolerance = 1e-6;
+
+    /// <summary>No vehicle turns faster, rad/s: at 4 readings a second, half a turn between two is the most that can be told.</summary>
+    private const double MaxRate = 200;
+
+    /// <summary>No vehicle is hit harder, m/s²: a change of 100 m/s in a 60th of a second.</summary>
+    private const double MaxForce = 6000;
+
+    public static IEnumerable<string> Problems(FrameLabel label)
+    {
+        IReadOnlyList<ImuSample> samples = label.Channels.Get<ImuLabel>()?.Samples ?? [];
+        for (int i = 0; i < samples.Count; i++)
+        {
+            bool isLate =
+                i + 1 < samples.Count
+                    ? samples[i].TimeSeconds >= samples[i + 1].TimeSeconds
+                    : samples[i].TimeSeconds > label.TimeSeconds + TimeTolerance;
+            if (isLate)
+            {
+                yield return FormattableString.Invariant($"sample {i} of imu is not before what follows it.");
+            }
+
+            if (samples[i].AngularRate.Length > MaxRate || samples[i].SpecificForce.Length > MaxForce)
+            {
+                yield return FormattableString.Invariant($"sample {i} of imu is more than a vehicle can do.");
+            }
+        }
+    }
+}
