@@ -14,14 +14,14 @@ namespace Harvester.Simulation.Tests.Events;
 public class EventOracleTests(ITestOutputHelper output)
 {
     private const int SeedInCI = 7001;
-    private const double SecondsInCI = 15;
-    private const int ScenariosInCI = 2;
-    private const int SignsInCI = 2;
+    private const double SecondsInCI = 8;
+    private const int ScenariosInCI = 1;
+    private const int SignsInCI = 1;
     private const int Signs = 6;
     private const double Seconds = 45;
     private const double Required = 0.98;
     private const int LeastOfAKind = 10;
-    private const int LeastInCI = 5;
+    private const int LeastInCI = 2;
 
     /// <summary>Times of the world are added up tick by tick, so that a tick is not exactly as long as another.</summary>
     private const double Tick = 1.01 / 60;
