@@ -4,6 +4,7 @@ using Harvester.Benchmarks;
 using Harvester.Benchmarks.Figures;
 using Harvester.Benchmarks.Occlusion;
 using Harvester.Benchmarks.PixelMaps;
+using Harvester.Benchmarks.Scenarios;
 using Harvester.Geometry.Cameras;
 
 // pixel-maps and pixel-map-sweep compare figures that are no times, so they are no benchmarks of BenchmarkDotNet's.
@@ -32,6 +33,25 @@ if (args is ["occlusion", var density, var ofStreet, var first, var last])
         int.Parse(first, CultureInfo.InvariantCulture),
         int.Parse(last, CultureInfo.InvariantCulture)
     );
+    return;
+}
+
+// scenario-scores drives through scenarios: folder of the scenario files, first and last seed, and optionally a file of roads.
+if (args is ["scenario-scores", var scenarios, var firstScore, var lastScore, .. var roads])
+{
+    ScenarioScores.Run(
+        scenarios,
+        int.Parse(firstScore, CultureInfo.InvariantCulture),
+        int.Parse(lastScore, CultureInfo.InvariantCulture),
+        roads.FirstOrDefault()
+    );
+    return;
+}
+
+// scenario-pictures draws scenarios from above: folder of the scenario files, folder to write to, and seed.
+if (args is ["scenario-pictures", var drawn, var pictures, var pictureSeed])
+{
+    ScenarioPictures.Run(drawn, pictures, int.Parse(pictureSeed, CultureInfo.InvariantCulture));
     return;
 }
 

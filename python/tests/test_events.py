@@ -82,6 +82,12 @@ def test_damaged_line_is_an_error(tmp_path: Path, text: str) -> None:
         list(written(tmp_path, text).events())
 
 
+def test_kinds_are_those_of_the_schema() -> None:
+    schema = json.loads((ROOT / "docs/schema/event.schema.json").read_text(encoding="utf-8"))
+
+    assert tuple(schema["properties"]["kind"]["enum"]) == gtaharvest.EVENT_KINDS
+
+
 def test_schema_describes_an_event() -> None:
     jsonschema = pytest.importorskip("jsonschema")
     schema = jsonschema.Draft202012Validator(

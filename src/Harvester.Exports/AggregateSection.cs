@@ -23,6 +23,13 @@ public abstract class AggregateSection
     /// <param name="write">Writes the container; it gets the files one after another, so that it can hold one at a time.</param>
     public static AggregateSection Container(string part, Action<Stream, IEnumerable<byte[]>> write) => new ContainerSection(part, write);
 
+    /// <summary>A file that another program makes of staged files.</summary>
+    /// <param name="part">Name of the parts, which are names of staged files.</param>
+    /// <param name="write">
+    /// Runs the program; it gets the path to write to and those of the staged files, in the order of the frames.
+    /// </param>
+    internal static AggregateSection MadeBy(string part, Action<string, IEnumerable<string>> write) => new ProgramSection(part, write);
+
     /// <summary>A text that follows from all parts, such as their number.</summary>
     /// <param name="part">Name of the parts.</param>
     /// <param name="write">Writes the text; it gets the parts in the order of the frames, so that it can hold one at a time.</param>

@@ -11,6 +11,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Checks a dataset of this format and returns its problems.</summary>
     internal Func<DatasetContent, IEnumerable<SessionProblem>> Check { get; init; } = _ => [];
 
+    /// <summary>The program that must be installed to write it; null if none.</summary>
+    internal string? Program { get; init; }
+
     /// <summary>Whether it requires instance masks.</summary>
     public bool NeedsMasks { get; init; }
 

@@ -129,6 +129,9 @@ public sealed class ExportFrame
     /// <summary>Path of the mask; null without one.</summary>
     public string? MaskPath => Label.Mask is null ? null : PathOf(Label.Mask);
 
+    /// <summary>Path of the depths of all pixels, or of those that rays measured if it has no others; null without a depth map.</summary>
+    internal string? DepthPath => Label.Depth is { } depth ? PathOf(depth.Completed ?? depth.Sparse) : null;
+
     /// <summary>Path of the class map; null without one.</summary>
     public string? ClassMapPath => Label.ClassMap is { } map ? PathOf(map.File) : null;
 

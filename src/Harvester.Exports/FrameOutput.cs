@@ -85,6 +85,16 @@ public sealed class FrameOutput
     /// <summary>Writes a file.</summary>
     public void File(string path, Action<Stream> write) => _files.Add(new(path, _folder.Write(path, write)));
 
+    /// <summary>Adds the image of a frame as a temporary file that becomes a part of an aggregate file.</summary>
+    /// <param name="part">Name of the part.</param>
+    /// <param name="frame">The frame.</param>
+    internal void StagedImage(string part, ExportFrame frame)
+    {
+        string path = $"{DatasetFolder.Staging}/{frame.Name}{frame.ImageExtension}";
+        Image(path, frame);
+        Part(part, path);
+    }
+
     /// <summary>Writes a temporary file that becomes a part of an aggregate file.</summary>
     /// <param name="part">Name of the part.</param>
     /// <param name="name">Name of the file, unique to this frame.</param>

@@ -15,6 +15,12 @@ internal interface IAggregateOutput
     /// <summary>The content of a staged file.</summary>
     byte[] Staged(string path);
 
+    /// <summary>Path of a staged file, for a program that reads it.</summary>
+    string PathOfStaged(string path);
+
+    /// <summary>Path of a file beside the staged ones, which a program may write.</summary>
+    string WorkingFile { get; }
+
     /// <summary>Writes the content of a staged file.</summary>
     void CopyStaged(string path);
 }

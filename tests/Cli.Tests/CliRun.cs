@@ -35,7 +35,7 @@ internal sealed record CliRun(int ExitCode, string Out, string Error)
     }
 
     /// <summary>Asserts that the command ended normally.</summary>
-    public void AssertDone() => Assert.Equal((Cli.Terminals.ExitCode.Done, ""), (ExitCode, Error));
+    public void AssertDone() => Assert.True((ExitCode, Error) == (Cli.Terminals.ExitCode.Done, ""), $"Exit code {ExitCode}. {Error}{Out}");
 
     /// <summary>The failure that every command promises: its exit code, nothing on standard output, one line on standard error.</summary>
     public void AssertFailed(int exitCode, string message)

@@ -26,6 +26,7 @@ FORMATS = [
     "imagefolder",
     "mcap",
     "csv",
+    "parquet",
 ]
 # These keep a session in one split.
 WHOLE_SESSIONS = {"kitti-tracking", "motchallenge", "openlabel", "mcap"}

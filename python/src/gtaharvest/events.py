@@ -7,7 +7,16 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 from .checks import Vector, each, integer, number, optional, text, vector
 
-EVENT_KINDS = ("nearMiss", "hardBraking", "collision")
+EVENT_KINDS = (
+    "nearMiss",
+    "hardBraking",
+    "collision",
+    "cutIn",
+    "redLightRun",
+    "stopSignRun",
+    "offRoad",
+    "wrongWay",
+)
 """The kinds of events, by the names in files."""
 
 

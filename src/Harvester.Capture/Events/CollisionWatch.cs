@@ -23,6 +23,12 @@ internal sealed class CollisionWatch : IEventWatch
             {
                 open.Contact = WithSpeedChanges(open.Contact!, open.Users[0], open.Users[1], open.Begin);
             }
+
+            // From this reading on it no longer hides hard braking and near misses.
+            if (open.IsOverAt(reading.Seconds))
+            {
+                book.Close(open, EventEnd.Over, reading.Seconds);
+            }
         }
 
         foreach ((RoadUser first, RoadUser second) in Candidates(reading))

@@ -9,7 +9,17 @@ namespace Harvester.Capture.Events;
 internal sealed class EventDetector(Func<EntityState, int> idOf, int firstId)
 {
     /// <summary>Collisions come first: they end near misses and hide hard braking.</summary>
-    private readonly IEventWatch[] _watches = [new CollisionWatch(), new NearMissWatch(), new HardBrakingWatch()];
+    private readonly IEventWatch[] _watches =
+    [
+        new CollisionWatch(),
+        new NearMissWatch(),
+        new HardBrakingWatch(),
+        new CutInWatch(),
+        new StopLineWatch(),
+        new OffRoadWatch(),
+        new WrongWayWatch(),
+    ];
+
     private Dictionary<int, RoadUser> _others = [];
     private RoadUser? _ego;
 
@@ -20,7 +30,8 @@ internal sealed class EventDetector(Func<EntityState, int> idOf, int firstId)
     /// <param name="seconds">The game's time, seconds.</param>
     /// <param name="ego">The ego.</param>
     /// <param name="entities">The other entities.</param>
-    public void Observe(double seconds, EgoState ego, IEnumerable<EntityState> entities)
+    /// <param name="roads">The roads around them; null if they are not known.</param>
+    public void Observe(double seconds, EgoState ego, IEnumerable<EntityState> entities, RoadScene? roads = null)
     {
         RoadUser present = Followed(_ego, RoadUser.Ego(ego), seconds, ego.Pose, ego.Velocity);
         var others = new Dictionary<int, RoadUser>();
@@ -32,13 +43,13 @@ internal sealed class EventDetector(Func<EntityState, int> idOf, int firstId)
 
         (_ego, _others) = (present, others);
         Book.CloseAll(EventEnd.Vanished, seconds, open => open.Users.Any(user => !IsThere(user)));
-        var reading = new SceneReading(seconds, present, [.. others.Values.OrderBy(static user => user.Entity.Handle)]);
+        var reading = new SceneReading(seconds, present, [.. others.Values.OrderBy(static user => user.Entity.Handle)], roads);
         foreach (IEventWatch watch in _watches)
         {
             watch.Observe(reading, Book);
         }
 
-        Book.CloseAll(EventEnd.Over, seconds, open => seconds - open.Last >= EventRules.HoldSeconds);
+        Book.CloseAll(EventEnd.Over, seconds, open => open.IsOverAt(seconds));
     }
 
     /// <summary>Forgets all road users: the game cannot be read, or is another one now.</summary>

@@ -1,4 +1,5 @@
 using Harvester.Capture.Ports;
+using Harvester.Geometry;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
 
@@ -6,15 +7,16 @@ namespace Harvester.Capture.Events;
 
 /// <summary>Finds the events of a harvest: reads the game in its ticks, and knows which frames an event spans.</summary>
 /// <param name="options">How often and how far to read.</param>
-/// <param name="world">The game's world.</param>
+/// <param name="game">The game.</param>
 /// <param name="idOf">The id of an object in labels.</param>
 /// <param name="firstId">Number of the first event.</param>
-internal sealed class EventRecorder(EventOptions options, IWorld world, Func<EntityState, int> idOf, int firstId)
+internal sealed class EventRecorder(EventOptions options, GamePorts game, Func<EntityState, int> idOf, int firstId)
 {
     /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
     private const double TimeTolerance = 1e-6;
 
     private readonly EventDetector _detector = new(idOf, firstId);
+    private readonly StopLines _lines = new(game.Lights, game.Paint);
     private readonly List<(int First, int Last, double Seconds)> _frames = [];
     private readonly List<DrivingEvent> _earlier = [];
     private double _next = double.NegativeInfinity;
@@ -23,6 +25,7 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
     /// <summary>Reads the game, if a reading is due.</summary>
     public void Observe()
     {
+        IWorld world = game.World;
         double time = world.TimeSeconds;
         if (time < _last - TimeTolerance)
         {
@@ -46,8 +49,15 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
             return;
         }
 
-        _detector.Observe(time, ego, world.ReadEntities(ego.Pose.Position, options.RangeMetres));
+        IReadOnlyList<EntityState> entities = world.ReadEntities(ego.Pose.Position, options.RangeMetres);
+        _detector.Observe(time, ego, entities, RoadsAround(ego.Pose.Position, entities));
     }
+
+    /// <summary>The roads around the ego, whose map reaches as far as other road users are read; null if they are not known.</summary>
+    private RoadScene? RoadsAround(Vector3D place, IReadOnlyList<EntityState> entities) =>
+        game.Roads?.Near(place)?.Maps.Value.Around(place) is { } map
+            ? new RoadScene(map, _lines.At(map, entities, game.World.TimeSeconds, game.World.GameFrame))
+            : null;
 
     /// <summary>Notes a frame, or all views of a moment, whether or not it is this session that writes it.</summary>
     /// <param name="first">Its number, or that of the first view.</param>

@@ -46,4 +46,49 @@ public static class EventRules
     /// A road user that has moved by more than this beyond what its speed allows was placed elsewhere, metres.
     /// </summary>
     public const double JumpMetres = 1;
+
+    /// <summary>
+    /// Time gap of a cut-in, seconds: the least that most authorities recommend (Vogel 2003).
+    /// </summary>
+    public const double CutInSeconds = 2;
+
+    /// <summary>Who drives more slowly than this is not cut off but queues, m/s.</summary>
+    public const double MinCutInSpeed = 2;
+
+    /// <summary>
+    /// Before a stop line, a vehicle that was slower than this stood, m/s: an observer does not see wheels turn more slowly.
+    /// </summary>
+    public const double StandingSpeed = 0.5;
+
+    /// <summary>Distance before a stop line within which a vehicle stops for it, metres: one car and a half.</summary>
+    public const double StopMetres = 8;
+
+    /// <summary>How far before a stop line a vehicle must have been seen, so that it is known that it did not stop, metres.</summary>
+    public const double SeenMetres = 4;
+
+    /// <summary>
+    /// Distance beside the lanes up to which a vehicle is on the road, metres: the widest usual shoulder and parking lane, 8 feet, AASHTO.
+    /// </summary>
+    public const double ShoulderMetres = 2.5;
+
+    /// <summary>Distance up to which the nearest lane is looked for beside the road, metres.</summary>
+    public const double BesideMetres = 30;
+
+    /// <summary>Beside the road, one that is slower than this is parked or manoeuvres, m/s.</summary>
+    public const double MinOffRoadSpeed = 1;
+
+    /// <summary>Against the traffic, one that is slower than this manoeuvres, m/s.</summary>
+    public const double MinWrongWaySpeed = 2;
+
+    /// <summary>Angle from a lane's direction beyond which a vehicle drives against it, degrees.</summary>
+    public const double WrongWayDegrees = 120;
+
+    /// <summary>Time for which a vehicle drives against the traffic before it is an event, seconds: less is a swerve.</summary>
+    public const double WrongWaySeconds = 1;
+
+    /// <summary>Greatest angle between a vehicle and the lane that it drives on, degrees.</summary>
+    public const double LaneDegrees = 60;
+
+    /// <summary>Roads and lines farther above or below are on another level, metres.</summary>
+    public const double LevelMetres = 3;
 }

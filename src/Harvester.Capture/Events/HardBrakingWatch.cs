@@ -1,5 +1,4 @@
 using Harvester.Sessions.Events;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Events;
 
@@ -9,7 +8,7 @@ internal sealed class HardBrakingWatch : IEventWatch
     /// <inheritdoc/>
     public void Observe(SceneReading reading, EventBook book)
     {
-        foreach (RoadUser user in new[] { reading.Ego }.Concat(reading.Others.Where(IsDriven)))
+        foreach (RoadUser user in reading.Driven)
         {
             double now = user.Now.Speed;
             if (
@@ -33,6 +32,4 @@ internal sealed class HardBrakingWatch : IEventWatch
             }
         }
     }
-
-    private static bool IsDriven(RoadUser user) => user.IsVehicle && user.Entity.Class != ObjectClass.Trailer;
 }

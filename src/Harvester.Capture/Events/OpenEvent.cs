@@ -9,6 +9,9 @@ namespace Harvester.Capture.Events;
 /// <param name="users">Who takes part.</param>
 internal sealed class OpenEvent(int id, EventKind kind, double begin, IReadOnlyList<RoadUser> users)
 {
+    /// <summary>Times closer than this, seconds, are equal.</summary>
+    private const double TimeTolerance = 1e-6;
+
     private double _worst = double.PositiveInfinity;
     private double _peak = begin;
     private IReadOnlyList<EventParticipant> _participants = [.. users.Select(static user => user.Participant())];
@@ -21,6 +24,10 @@ internal sealed class OpenEvent(int id, EventKind kind, double begin, IReadOnlyL
 
     /// <summary>The game's time of the last reading in which its condition held, seconds.</summary>
     public double Last { get; private set; } = begin;
+
+    /// <summary>Whether its condition has not held for so long that it is over.</summary>
+    /// <param name="seconds">The game's time of the present reading, seconds.</param>
+    public bool IsOverAt(double seconds) => seconds - Last >= EventRules.HoldSeconds - TimeTolerance;
 
     /// <summary>Measures that are known so far.</summary>
     public IReadOnlyList<KeyValuePair<string, double?>> Measures { get; set; } = [];

@@ -39,6 +39,9 @@ internal sealed class RoadUser
 
     public bool IsVehicle => IsEgo || VehicleClasses.AreVehicles(Entity.Class);
 
+    /// <summary>Whether it is a vehicle that drives itself, which a trailer does not.</summary>
+    public bool IsDriven => IsVehicle && Entity.Class != ObjectClass.Trailer;
+
     public bool IsPerson => !IsEgo && VehicleClasses.ArePeople(Entity.Class);
 
     /// <summary>The readings of the last seconds, the oldest first.</summary>

@@ -4,4 +4,9 @@ namespace Harvester.Capture.Events;
 /// <param name="Seconds">The game's time, seconds.</param>
 /// <param name="Ego">The ego.</param>
 /// <param name="Others">The others, in the order of their handles.</param>
-internal sealed record SceneReading(double Seconds, RoadUser Ego, IReadOnlyList<RoadUser> Others);
+/// <param name="Roads">The roads around them; null if they are not known.</param>
+internal sealed record SceneReading(double Seconds, RoadUser Ego, IReadOnlyList<RoadUser> Others, RoadScene? Roads)
+{
+    /// <summary>The ego and the other vehicles that drive themselves, which trailers do not.</summary>
+    public IEnumerable<RoadUser> Driven => new[] { Ego }.Concat(Others.Where(static user => user.IsDriven));
+}

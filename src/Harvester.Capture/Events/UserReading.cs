@@ -16,6 +16,9 @@ internal sealed record UserReading(double Seconds, Pose Pose, BodyBox Box, Vecto
     /// <summary>Horizontal speed, m/s.</summary>
     public double Speed => Ground.Length;
 
+    /// <summary>Middle of its footprint, at its lowest height, metres, world.</summary>
+    public Vector3D Foot => new(Box.Centre.X, Box.Centre.Y, Box.Bottom);
+
     /// <summary>How its footprint goes on.</summary>
     public GroundMotion Motion => new(Box, new Vector2D(Pose.Position.X, Pose.Position.Y), Ground, YawRate);
 }

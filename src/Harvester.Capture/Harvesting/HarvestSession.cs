@@ -219,7 +219,7 @@ public sealed class HarvestSession : IDisposable
         ICaptureFlow flow = _flows.For(_sink, Lag);
         CaptureFlows flows = _flows;
         _events = _options.Events is { } events
-            ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
+            ? new EventRecorder(events, _game, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
             : null;
         ObserveEvents();
         _frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)

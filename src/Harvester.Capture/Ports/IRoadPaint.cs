@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 
 namespace Harvester.Capture.Ports;
 
@@ -13,4 +14,9 @@ public interface IRoadPaint
     /// <param name="place">Metres, world.</param>
     /// <param name="range">Metres; greater than 0.</param>
     IEnumerable<PaintedLine> Near(Vector3D place, double range);
+
+    /// <summary>The stop lines with a corner within a distance of a position.</summary>
+    /// <param name="place">Metres, world.</param>
+    /// <param name="range">Metres; greater than 0.</param>
+    IEnumerable<PaintedMark> StopLinesNear(Vector3D place, double range);
 }

@@ -15,4 +15,8 @@ public sealed class MeasuredPaint(PaintTable table) : IRoadPaint
 
     /// <inheritdoc/>
     public IEnumerable<PaintedLine> Near(Vector3D place, double range) => _lines.Near(place, range);
+
+    /// <inheritdoc/>
+    public IEnumerable<PaintedMark> StopLinesNear(Vector3D place, double range) =>
+        table.Marks.Select(static mark => mark.Mark).Where(mark => mark.Kind == MarkKind.StopLine && mark.IsNear(place, range));
 }

@@ -57,8 +57,14 @@ internal sealed class HeaderFile(SessionOrigin origin, ISessionFiles files, Fram
     /// <summary>Writes the header of a session that has ended, and its manifest without frames that were given up.</summary>
     /// <param name="end">How the harvest ended.</param>
     /// <param name="frames">Frames that the session holds.</param>
-    public void Finish(SessionEnd end, int frames)
+    /// <param name="texts">Texts by their path within the session, written if it has frames.</param>
+    public void Finish(SessionEnd end, int frames, IEnumerable<KeyValuePair<string, Func<string>>> texts)
     {
+        foreach (KeyValuePair<string, Func<string>> text in frames > 0 ? texts : [])
+        {
+            store.WriteText(text.Key, text.Value());
+        }
+
         if (end.Events is { } events)
         {
             store.FinishEvents(events);

@@ -20,6 +20,7 @@ public sealed class SessionWriter : IFrameSink
     private readonly IFreeSpace? _disk;
     private readonly SessionContent _before;
     private readonly List<KeyValuePair<string, string>> _kept = [];
+    private readonly List<KeyValuePair<string, Func<string>>> _keptAtEnd = [];
     private FrameStore? _store;
     private HeaderFile? _header;
     private SpaceWatch? _space;
@@ -133,6 +134,11 @@ public sealed class SessionWriter : IFrameSink
     /// <param name="text">The text.</param>
     public void Keep(string name, string text) => _kept.Add(new(name, text));
 
+    /// <summary>Has a text written when the session is closed with frames, from what is known then.</summary>
+    /// <param name="name">Its path within the session, with forward slashes.</param>
+    /// <param name="text">Gives the text, on the writer's thread, when the harvest has ended.</param>
+    public void KeepAtEnd(string name, Func<string> text) => _keptAtEnd.Add(new(name, text));
+
     /// <inheritdoc />
     public void Open(SessionStart start)
     {
@@ -235,7 +241,7 @@ public sealed class SessionWriter : IFrameSink
         if (_header!.HasBegun && _end is { } end)
         {
             // After a fault too: the disk may work again, and the fault is worth recording.
-            AttemptAlways(() => _header.Finish(end with { Fault = end.Fault ?? _fault }, FramesWritten));
+            AttemptAlways(() => _header.Finish(end with { Fault = end.Fault ?? _fault }, FramesWritten, _keptAtEnd));
         }
     }
 

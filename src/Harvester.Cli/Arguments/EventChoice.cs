@@ -12,7 +12,10 @@ internal sealed class EventChoice
     private static readonly string KindNames = string.Join(", ", Enum.GetValues<EventKind>().Select(JsonName.Of));
 
     private Option<bool> Events { get; } =
-        new("--events") { Description = "Find near misses, hard braking and collisions at every tick, and list them in events.jsonl" };
+        new("--events")
+        {
+            Description = "Find near misses, collisions, cut-ins, red lights run and more at every tick, and list them in events.jsonl",
+        };
 
     private Option<double?> KeepAround { get; } =
         new("--keep-around")

@@ -24,7 +24,8 @@ internal sealed class RecordOptions
 
     private readonly Option<bool> _events = new("--record-events")
     {
-        Description = "Find near misses, hard braking and collisions at every tick, and list them in events.jsonl of the recording",
+        Description =
+            "Find near misses, collisions, cut-ins, red lights run and more at every tick, and list them in events.jsonl of the recording",
     };
 
     private readonly Option<long?> _minFree = MinFreeOption.Create();

@@ -47,7 +47,7 @@ internal sealed class ExportCommand
     private Option<string> Format { get; } =
         new("--format")
         {
-            Description = "Dataset format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
+            Description = "Dataset format: " + NamesOf(_ => true),
             HelpName = "F",
             Required = true,
         };
@@ -94,7 +94,8 @@ internal sealed class ExportCommand
     private Option<PartSelection?> Parts { get; } =
         ValueParsers.OptionalChoice<PartSelection>(
             "--parts",
-            "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]"
+            "How signs and traffic lights are exported, see below [default: faces; all in "
+                + $"{NamesOf(format => format.DefaultParts == PartSelection.All)}]"
         );
 
     private Option<BoxKind?> Boxes { get; } =
@@ -200,7 +201,7 @@ internal sealed class ExportCommand
         );
         if (!plan.Format.HasPoints && plan.Sessions.Any(session => session.ReadInfo().Rig is { Lidars.Count: > 0 }))
         {
-            string others = string.Join(", ", DatasetFormats.All.Where(format => format.HasPoints).Select(format => format.Name));
+            string others = NamesOf(format => format.HasPoints);
             terminal.Out.WriteLine($"{plan.Format.Name} does not have the points of the LiDAR; {others} have them.");
         }
 
@@ -219,10 +220,7 @@ internal sealed class ExportCommand
     {
         string name = parsed.GetRequiredValue(Format);
         DatasetFormat format =
-            DatasetFormats.Find(name)
-            ?? throw new UsageException(
-                $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'."
-            );
+            DatasetFormats.Find(name) ?? throw new UsageException($"--format takes one of {NamesOf(_ => true)}, not '{name}'.");
         CheckOptions(parsed, format);
         SplitPlan splits = SplitsOf(parsed);
         if (format.ProblemOf(splits.Splits) is { } problem)
@@ -267,7 +265,7 @@ internal sealed class ExportCommand
         {
             if (parsed.GetResult(option) is { Implicit: false } && !isOf(format))
             {
-                string others = string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name));
+                string others = NamesOf(isOf);
                 throw new UsageException($"{option.Name} has no effect in {format.Name}, only in {others}.");
             }
         }
@@ -315,4 +313,7 @@ internal sealed class ExportCommand
             ? new DatasetSplit(words[0].Trim(), share)
             : null;
     }
+
+    private static string NamesOf(Func<DatasetFormat, bool> isOf) =>
+        string.Join(", ", DatasetFormats.All.Where(isOf).Select(format => format.Name));
 }

@@ -6,6 +6,7 @@ using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Masks;
 
@@ -137,7 +138,7 @@ public static class MaskImporter
     }
 
     private static IEnumerable<string> OthersOf(SessionReader session) =>
-        ((string[])[FramePaths.Events, FramePaths.Roads, FramePaths.Faces, SessionInfo.FileName]).Where(name =>
+        ((string[])[FramePaths.Events, FramePaths.Roads, FramePaths.Faces, ScenarioRecord.FileName, SessionInfo.FileName]).Where(name =>
             File.Exists(session.PathOf(name))
         );
 

@@ -95,7 +95,11 @@ internal sealed class RepairedHeader
                 }
             );
         JsonObject json = header.Json;
-        (json["settings"] as JsonObject)?.Add("repairedBy", Tool);
+        if (json["settings"] is JsonObject settings)
+        {
+            settings["repairedBy"] = Tool;
+        }
+
         bool isClosed = json["state"]?.ToString() is "complete" or "faulted";
         if (_read is null || !isClosed || lost > 0)
         {

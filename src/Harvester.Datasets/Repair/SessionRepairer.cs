@@ -8,6 +8,7 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Repair;
 
@@ -205,7 +206,7 @@ public sealed class SessionRepairer
 
         WriteEvents(made, manifest, transfer);
         string[] unreadable = [.. KeptFilesCheck.Problems(_session).Select(problem => problem.File)];
-        foreach (string name in (string[])[FramePaths.Roads, FramePaths.Faces])
+        foreach (string name in (string[])[FramePaths.Roads, FramePaths.Faces, ScenarioRecord.FileName])
         {
             if (!unreadable.Contains(name) && File.Exists(_session.PathOf(name)) && IsWhole(name, manifest))
             {

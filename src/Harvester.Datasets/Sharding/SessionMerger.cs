@@ -7,6 +7,7 @@ using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Sharding;
 
@@ -114,7 +115,9 @@ public static class SessionMerger
         SessionReader first = sources[0].Session;
         CheckEvents(sources);
         foreach (
-            string name in ((string[])[FramePaths.Faces, FramePaths.Roads, FramePaths.Events]).SelectMany(name => IfThere(name, first))
+            string name in ((string[])[FramePaths.Faces, FramePaths.Roads, FramePaths.Events, ScenarioRecord.FileName]).SelectMany(name =>
+                IfThere(name, first)
+            )
         )
         {
             session.Place(name, first, options.Transfer, () => digests[first].Of(name));

@@ -1,4 +1,5 @@
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
@@ -22,6 +23,8 @@ public sealed class SessionStatistics
     private readonly SortedDictionary<string, int> _framesOfWeathers = new(StringComparer.Ordinal);
     private readonly SortedDictionary<int, int> _framesOfHours = [];
     private readonly SortedDictionary<string, IndicatorSpan> _indicators = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<EventKind, int> _events = [];
+    private HashSet<EventMark> _open = [];
     private int _session;
 
     /// <summary>Collects the statistics of one session.</summary>
@@ -39,10 +42,14 @@ public sealed class SessionStatistics
             }
 
             statistics._session++;
+            statistics._open = [];
         }
 
         return statistics;
     }
+
+    /// <summary>Number of events by kind that open at a frame and were not open at the one before; null without events.</summary>
+    public IReadOnlyDictionary<EventKind, int>? Events { get; private set; }
 
     /// <summary>Number of frames.</summary>
     public int Frames { get; private set; }
@@ -127,6 +134,17 @@ public sealed class SessionStatistics
 
         _framesOfWeathers[label.Environment.Weather] = _framesOfWeathers.GetValueOrDefault(label.Environment.Weather) + 1;
         _framesOfHours[label.Environment.TimeOfDay.Hours] = _framesOfHours.GetValueOrDefault(label.Environment.TimeOfDay.Hours) + 1;
+        if (label.Events is { } open)
+        {
+            Events = _events;
+            foreach (EventMark mark in open.Where(mark => !_open.Contains(mark)))
+            {
+                _events[mark.Kind] = _events.GetValueOrDefault(mark.Kind) + 1;
+            }
+
+            _open = [.. open];
+        }
+
         if (label.Lanes is { } lanes)
         {
             Add(lanes.Indicators);

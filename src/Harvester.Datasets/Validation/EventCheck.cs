@@ -156,7 +156,7 @@ internal sealed class EventCheck
             yield return "firstFrame and lastFrame must be in this order, or both null.";
         }
 
-        int expected = happened.Kind is EventKind.NearMiss or EventKind.Collision ? 2 : 1;
+        int expected = happened.Kind is EventKind.NearMiss or EventKind.Collision or EventKind.CutIn ? 2 : 1;
         if (happened.Participants.Count != expected)
         {
             yield return $"{JsonName.Of(happened.Kind)} has {expected} participants, not {happened.Participants.Count}.";

@@ -37,7 +37,7 @@ internal static class EventPeakCheck
             EventKind.Collision => CollisionProblems(happened),
             EventKind.NearMiss => NearMissProblems(happened),
             EventKind.HardBraking => BrakingProblems(happened),
-            _ => [],
+            _ => EventRoadCheck.Problems(happened),
         };
 
     private static IEnumerable<string> CollisionProblems(DrivingEvent happened)

@@ -1,10 +1,11 @@
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>Checks that the roads and the table of faces beside a session's scenes can be read, if they exist.</summary>
+/// <summary>Checks that the roads, the table of faces and the record of a scenario can be read, if they exist.</summary>
 internal static class KeptFilesCheck
 {
     public static IEnumerable<SessionProblem> Problems(SessionReader session)
@@ -13,6 +14,7 @@ internal static class KeptFilesCheck
         [
             (FramePaths.Roads, KeptFiles.ReadRoads),
             (FramePaths.Faces, KeptFiles.ReadFaces),
+            (ScenarioRecord.FileName, KeptFiles.ReadScenario),
         ];
         foreach ((string name, Func<SessionReader, object?> read) in files)
         {

@@ -1,6 +1,7 @@
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
@@ -65,7 +66,14 @@ internal sealed class ManifestCheck : IDisposable
             );
         }
 
-        string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces, .. isClosed ? [FramePaths.Events] : (string[])[]];
+        string[] known =
+        [
+            SessionInfo.FileName,
+            FramePaths.Roads,
+            FramePaths.Faces,
+            ScenarioRecord.FileName,
+            .. isClosed ? [FramePaths.Events] : (string[])[],
+        ];
         foreach (string name in known.Where(name => !_manifest.Files.ContainsKey(name) && File.Exists(_session.PathOf(name))))
         {
             yield return new SessionProblem(name, null, $"it has no intact line in {Manifest.FileName}.");

@@ -199,7 +199,10 @@ internal sealed class ActionOrders(BoundScenario bound, IStage stage)
         if (lane is null && bound.Place.Map.Index.At(place, -direction) is { } against)
         {
             // It drives against the traffic of its lane: what is on its right is on the left of that.
-            MapLane? other = side > 0 ? against.Oncoming ?? against.LeftNeighbour : against.RightNeighbour;
+            MapLane? other =
+                side > 0
+                    ? bound.Place.OncomingAt(bound.Place.Track.Locate(place).At)?.Lane ?? against.Oncoming ?? against.LeftNeighbour
+                    : against.RightNeighbour;
             return other is null ? actor.Track : Through(other, place, direction);
         }
 

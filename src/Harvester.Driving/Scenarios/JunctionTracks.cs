@@ -12,6 +12,9 @@ internal static class JunctionTracks
     /// <summary>Cosine of the greatest angle between a road and the direction from which it is said to come.</summary>
     private const double Side = 0.7;
 
+    /// <summary>Who comes from a side begins at least so far beside the ego's way, metres: past its road's edge.</summary>
+    private const double Beside = 10;
+
     /// <summary>Where lines come so near to each other, two cars on them would touch, metres.</summary>
     private const double Meeting = 1.5;
 
@@ -56,7 +59,10 @@ internal static class JunctionTracks
 
             LaneTrack track = LaneTracks.Of(lane, lane.Length, turn);
             (double Ego, double Other)? meeting = MeetingOf(place, track);
-            if (meeting is null && actor.Start.SecondsBefore is not null)
+            if (
+                actor.Start.SecondsBefore is not null
+                && (meeting is not { } point || !LeadsAcross(place, track, point.Other, actor.Start.Approach, turn))
+            )
             {
                 continue;
             }
@@ -67,7 +73,7 @@ internal static class JunctionTracks
             double at = actor.Start.SecondsBefore is { } seconds
                 ? meeting!.Value.Other - (speed * ((meeting.Value.Ego / scenario.Ego.Speed) - seconds))
                 : -actor.Start.MetresBefore!.Value;
-            if (at < track.From + 1)
+            if (at < track.From + 1 || !IsOnItsSide(place, actor.Start.Approach, track.PositionAt(at)))
             {
                 continue;
             }
@@ -87,6 +93,34 @@ internal static class JunctionTracks
 
         string side = actor.Start.Approach.ToString().ToLowerInvariant();
         throw new UnfitPlaceException($"No road from the {side} is long enough for '{actor.Id}' and meets the ego's way.");
+    }
+
+    /// <summary>
+    /// Whether a way leads across the ego's, from its side to the other: who turns right does not, and neither do two roads that become one.
+    /// </summary>
+    private static bool LeadsAcross(StagePlace place, LaneTrack track, double meeting, ScenarioApproach approach, MapTurn turn)
+    {
+        const double after = 12;
+        const double aside = 4;
+        double right = place.Track.Locate(track.PositionAt(meeting + after)).Right;
+        return (approach, turn) switch
+        {
+            (ScenarioApproach.Left, MapTurn.Straight) or (ScenarioApproach.Oncoming, MapTurn.Left) => right > aside,
+            (ScenarioApproach.Right, MapTurn.Straight) => right < -aside,
+            _ => true,
+        };
+    }
+
+    /// <summary>Whether a start is on the side from which an actor is to come; a road that winds may lead elsewhere.</summary>
+    private static bool IsOnItsSide(StagePlace place, ScenarioApproach approach, Vector3D start)
+    {
+        (double at, double right) = place.Track.Locate(start);
+        return approach switch
+        {
+            ScenarioApproach.Left => right < -Beside,
+            ScenarioApproach.Right => right > Beside,
+            _ => at > place.Junction!.Entry,
+        };
     }
 
     /// <summary>Where a track first comes to the ego's, as distances along both; null if it does not near the junction.</summary>

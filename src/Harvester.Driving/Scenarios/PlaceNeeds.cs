@@ -12,16 +12,36 @@ internal static class PlaceNeeds
     private const double Straight = 0.03;
     private const double Step = 5;
 
-    /// <summary>Checks a place.</summary>
+    /// <summary>What a lane lacks for the ego to begin on it, as a sentence; null for nothing that can be told without its surroundings.
+    /// </summary>
+    public static string? LackOf(ScenarioNeeds needs, MapLane lane)
+    {
+        int left = Count(lane, each => each.LeftNeighbour);
+        int right = Count(lane, each => each.RightNeighbour);
+        return left + right + 1 < needs.Lanes
+                ? FormattableString.Invariant($"The road has {left + right + 1} lanes in the ego's direction; {needs.Lanes} are needed.")
+            : left < needs.LanesLeft
+                ? FormattableString.Invariant($"{left} lanes are to the left of the ego's; {needs.LanesLeft} are needed.")
+            : right < needs.LanesRight
+                ? FormattableString.Invariant($"{right} lanes are to the right of the ego's; {needs.LanesRight} are needed.")
+            : null;
+    }
+
+    /// <summary>Whether a node of the roads is one near which there may be what a place must have: a crossing, or lights.</summary>
+    public static bool MayBeNear(ScenarioNeeds needs, RoadNode node)
+    {
+        const RoadNodeFlags crossing =
+            RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.PedestrianCrossingWithoutWait | RoadNodeFlags.PedestrianAssisted;
+        return needs.Crossing is not null
+            ? (node.Flags & crossing) != 0
+            : needs.Junction?.Light != true || node.Flags.HasFlag(RoadNodeFlags.TrafficLight);
+    }
+
+    /// <summary>Checks what <see cref="LackOf"/> does not look at.</summary>
     /// <exception cref="UnfitPlaceException">It lacks something.</exception>
     public static void Check(ScenarioNeeds needs, StagePlace place)
     {
         Need(place.Track.To >= needs.Metres, $"The road leads on for {place.Track.To:0} m; {needs.Metres:0} are needed.");
-        int left = Count(place.Lane, lane => lane.LeftNeighbour);
-        int right = Count(place.Lane, lane => lane.RightNeighbour);
-        Need(left + right + 1 >= needs.Lanes, $"The road has {left + right + 1} lanes in the ego's direction; {needs.Lanes} are needed.");
-        Need(left >= needs.LanesLeft, $"{left} lanes are to the left of the ego's; {needs.LanesLeft} are needed.");
-        Need(right >= needs.LanesRight, $"{right} lanes are to the right of the ego's; {needs.LanesRight} are needed.");
         Need(!needs.OncomingLane || place.OncomingAt(0) is not null, $"No lane of the other direction is beside the ego's.");
         Need(!needs.Street || IsStreet(place, 0), $"The road is no street: it is a motorway or unpaved.");
         CheckStraight(needs.StraightMetres, place);

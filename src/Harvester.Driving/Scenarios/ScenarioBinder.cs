@@ -32,14 +32,24 @@ public sealed class ScenarioBinder
         out string? reason
     )
     {
-        if (
-            StagePlace.At(map, position, direction, (scenario ?? throw new ArgumentNullException(nameof(scenario))).Ego.Turn)
-            is not { } place
-        )
+        if (scenario is null)
+        {
+            throw new ArgumentNullException(nameof(scenario));
+        }
+
+        if ((map ?? throw new ArgumentNullException(nameof(map))).Index.At(position, direction) is not { Junction: null } lane)
         {
             reason = "The ego is on no lane.";
             return null;
         }
+
+        if (PlaceNeeds.LackOf(scenario.Place, lane) is { } lack)
+        {
+            reason = lack;
+            return null;
+        }
+
+        StagePlace place = StagePlace.On(map, lane, position, scenario.Ego.Turn);
 
         try
         {

@@ -27,7 +27,6 @@ public sealed class ScenarioPlayer
     private readonly List<ScenarioLogEntry> _log = [];
     private readonly bool _needsLight;
     private double _began;
-    private double _egoAt;
     private readonly SortedSet<string> _touchedActors = new(StringComparer.Ordinal);
     private double? _touched;
 
@@ -59,6 +58,9 @@ public sealed class ScenarioPlayer
 
     /// <summary>The handles of the actors in the game, by id.</summary>
     public IReadOnlyDictionary<string, int> Handles => _actors.ToDictionary(each => each.Key, each => each.Value.Handle);
+
+    /// <summary>Where the ego is along its way, metres from its start.</summary>
+    public double EgoAt { get; private set; }
 
     /// <summary>Why it is over; null while it is not.</summary>
     public ScenarioOutcome? Outcome { get; private set; }
@@ -108,13 +110,13 @@ public sealed class ScenarioPlayer
         }
 
         EgoState ego = _world.ReadEgo();
-        _egoAt = _bound.Place.Track.Locate(ego.Pose.Position, _egoAt).At;
+        EgoAt = _bound.Place.Track.Locate(ego.Pose.Position, EgoAt).At;
         foreach (StagedActor actor in _actors.Values)
         {
             actor.Observe(_stage.StateOf(actor.Handle));
         }
 
-        var view = new SceneView(_bound, _world.TimeSeconds - _began, ego, _egoAt, _needsLight ? Light() : LightState.Unknown);
+        var view = new SceneView(_bound, _world.TimeSeconds - _began, ego, EgoAt, _needsLight ? Light() : LightState.Unknown);
         foreach (ScenarioEvent each in _bound.Scenario.Events)
         {
             Advance(each, view);

@@ -32,17 +32,11 @@ public sealed class StagePlace
 
     /// <summary>The place at which an ego stands.</summary>
     /// <param name="map">The lanes.</param>
+    /// <param name="lane">Its lane, outside junctions.</param>
     /// <param name="position">Where it stands, metres, world.</param>
-    /// <param name="direction">Where it looks.</param>
     /// <param name="turn">Where it turns at the first junction.</param>
-    /// <returns>Null if it is on no lane.</returns>
-    public static StagePlace? At(LaneNetwork map, Vector3D position, Vector3D direction, MapTurn turn)
+    internal static StagePlace On(LaneNetwork map, MapLane lane, Vector3D position, MapTurn turn)
     {
-        if ((map ?? throw new ArgumentNullException(nameof(map))).Index.At(position, direction) is not { Junction: null } lane)
-        {
-            return null;
-        }
-
         var place = new StagePlace(map, lane, LaneTracks.Chain(lane, LanePoint.Of(lane, position).Along, turn));
         place.FindJunction();
         return place;

@@ -34,6 +34,10 @@ internal sealed class AggregateOutput : IAggregateOutput, IDisposable
 
     public IEnumerable<string> Parts(string name) => _parts.Read(name);
 
+    public string WorkingFile => _folder.PathOf(DatasetFolder.Working + "/made");
+
+    public string PathOfStaged(string path) => _folder.PathOf(path);
+
     public byte[] Staged(string path) => InputFile.ReadAllBytes(_folder.PathOf(path), InputFile.MaxPictureBytes);
 
     public void CopyStaged(string path)

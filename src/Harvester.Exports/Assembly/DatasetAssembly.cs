@@ -89,6 +89,7 @@ internal static class DatasetAssembly
     private static ExportResult Assemble(DatasetFolder folder, string plan, IReadOnlyList<string> journals, DatasetManifest manifest)
     {
         (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(plan);
+        FfmpegProgram.CheckFor(format);
         var parts = new PartStore(folder.PathOf(DatasetFolder.Working + "/parts"));
         SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
         int leftOut = 0;

@@ -66,6 +66,7 @@ public sealed class DatasetExporter
             _folder.CheckUsable();
         }
 
+        FfmpegProgram.CheckFor(_asked.Format);
         Journal.CheckDivision(_folder, _shard);
         SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
         SeparatedNeighbours = survey.SeparatedNeighbours;

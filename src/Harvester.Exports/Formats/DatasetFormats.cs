@@ -1,6 +1,7 @@
 using Harvester.Exports.Formats.Bdd100K;
 using Harvester.Exports.Formats.Cityscapes;
 using Harvester.Exports.Formats.Coco;
+using Harvester.Exports.Formats.Columns;
 using Harvester.Exports.Formats.Csv;
 using Harvester.Exports.Formats.DeepDriving;
 using Harvester.Exports.Formats.Euroc;
@@ -17,6 +18,7 @@ using Harvester.Exports.Formats.OpenLabel;
 using Harvester.Exports.Formats.OpenLaneV2;
 using Harvester.Exports.Formats.PointClouds;
 using Harvester.Exports.Formats.Semantic;
+using Harvester.Exports.Formats.Video;
 using Harvester.Exports.Formats.Voc;
 using Harvester.Exports.Formats.WebDataset;
 using Harvester.Exports.Formats.Yolo;
@@ -187,22 +189,8 @@ public static class DatasetFormats
             IncludesRiders = true,
             Check = NuScenesCheck.Problems,
         },
-        new("pcd", "Point clouds of LiDARs, as PCL's PCD files", _ => new PointCloudWriter(PointCloudKind.Pcd))
-        {
-            ListsObjects = false,
-            KeepsImages = false,
-            KeepsSequences = true,
-            HasPoints = true,
-            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Pcd),
-        },
-        new("ply", "Point clouds of LiDARs, as PLY files", _ => new PointCloudWriter(PointCloudKind.Ply))
-        {
-            ListsObjects = false,
-            KeepsImages = false,
-            KeepsSequences = true,
-            HasPoints = true,
-            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Ply),
-        },
+        Points("pcd", "Point clouds of LiDARs, as PCL's PCD files", PointCloudKind.Pcd),
+        Points("ply", "Point clouds of LiDARs, as PLY files", PointCloudKind.Ply),
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
         {
             NeedsLanes = true,
@@ -237,28 +225,8 @@ public static class DatasetFormats
             KeepsSequences = true,
             Check = OpenLaneV2Check.Problems,
         },
-        new(
-            "gpudrive",
-            "GPUDrive: what moves and the map, a file for each 9 s",
-            options => new MotionScenarioWriter(options, isWomd: false)
-        )
-        {
-            HasMap = true,
-            KeepsImages = false,
-            KeepsSequences = true,
-            ListsObjects = false,
-            MinRateHz = MotionScenarioWriter.MinRateHz,
-            Check = MotionScenarioCheck.GpuDriveProblems,
-        },
-        new("womd", "Waymo Open Motion Dataset: the same as Scenario messages", options => new MotionScenarioWriter(options, isWomd: true))
-        {
-            HasMap = true,
-            KeepsImages = false,
-            KeepsSequences = true,
-            ListsObjects = false,
-            MinRateHz = MotionScenarioWriter.MinRateHz,
-            Check = MotionScenarioCheck.WomdProblems,
-        },
+        Motion("gpudrive", "GPUDrive: what moves and the map, a file for each 9 s", isWomd: false),
+        Motion("womd", "Waymo Open Motion Dataset: the same as Scenario messages", isWomd: true),
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {
             UsesMasks = true,
@@ -297,9 +265,50 @@ public static class DatasetFormats
             DefaultParts = PartSelection.All,
             Check = CsvDatasetCheck.Problems,
         },
+        new("parquet", "Typed tables of all labels, as columns", options => new ParquetDatasetWriter(options))
+        {
+            KeepsUndetermined = true,
+            HasNames = true,
+            HasParts = true,
+            DefaultParts = PartSelection.All,
+            Check = ParquetDatasetCheck.Problems,
+        },
+        Video("video", "A video for each place, H.264 in MP4; masks and depth lossless", isLossless: false),
+        Video("video-lossless", "The same, FFV1 in Matroska", isLossless: true),
     ];
 
     /// <summary>The format of a name; null if there is none.</summary>
     public static DatasetFormat? Find(string name) =>
         All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.OrdinalIgnoreCase));
+
+    private static DatasetFormat Motion(string name, string description, bool isWomd) =>
+        new(name, description, options => new MotionScenarioWriter(options, isWomd))
+        {
+            HasMap = true,
+            KeepsImages = false,
+            KeepsSequences = true,
+            ListsObjects = false,
+            MinRateHz = MotionScenarioWriter.MinRateHz,
+            Check = isWomd ? MotionScenarioCheck.WomdProblems : MotionScenarioCheck.GpuDriveProblems,
+        };
+
+    private static DatasetFormat Points(string name, string description, PointCloudKind kind) =>
+        new(name, description, _ => new PointCloudWriter(kind))
+        {
+            ListsObjects = false,
+            KeepsImages = false,
+            KeepsSequences = true,
+            HasPoints = true,
+            Check = dataset => PointCloudCheck.Problems(dataset, kind),
+        };
+
+    private static DatasetFormat Video(string name, string description, bool isLossless) =>
+        new(name, description, _ => new VideoWriter(isLossless))
+        {
+            Program = FfmpegProgram.Name,
+            UsesMasks = true,
+            KeepsSequences = true,
+            ListsObjects = false,
+            Check = dataset => VideoCheck.Problems(dataset, isLossless),
+        };
 }

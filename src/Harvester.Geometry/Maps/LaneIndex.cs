@@ -62,6 +62,37 @@ public sealed class LaneIndex
                 .OrderBy(lane => lane.Order),
         ];
 
+    /// <summary>Where a place lies on and beside the lanes near it that are on its level, in the order of the map.</summary>
+    /// <param name="place">Metres, world.</param>
+    /// <param name="range">Greatest distance from a lane on the ground, metres; less than 0 counts as 0.</param>
+    public IReadOnlyList<LaneSpot> SpotsAt(Vector3D place, double range)
+    {
+        var spots = new List<LaneSpot>();
+        double reach = Math.Max(0, range);
+        foreach (MapLane lane in _lanes.Near(place.X, place.Y, reach))
+        {
+            LanePiece piece = LanePiece.NearestOf(lane, place);
+            double length = piece.Direction.Length;
+            bool isOnLane = piece.IsOnLane;
+            if ((isOnLane || piece.FromLane <= reach) && Math.Abs(piece.Height) <= SameLevel && length > 0)
+            {
+                spots.Add(
+                    new LaneSpot(
+                        lane,
+                        piece.Direction * (1 / length),
+                        piece.Along,
+                        piece.IsLeft ? -piece.FromMiddle : piece.FromMiddle,
+                        piece.HalfWidth,
+                        isOnLane ? 0 : piece.FromLane
+                    )
+                );
+            }
+        }
+
+        spots.Sort(static (a, b) => a.Lane.Order.CompareTo(b.Lane.Order));
+        return spots;
+    }
+
     private static Box2D BoxOf(MapLane lane)
     {
         (double west, double south, double east, double north) = (

@@ -8,6 +8,7 @@ namespace Harvester.Geometry.Maps;
 /// <param name="IsPast">Whether the place lies past the lane's end.</param>
 /// <param name="Height">How far it lies above the lane, metres.</param>
 /// <param name="Along">Metres along the lane's middle, on the ground, from its start to the point that is nearest to the place.</param>
+/// <param name="IsLeft">Whether the place lies to the left of the lane's middle.</param>
 internal readonly record struct LanePiece(
     Vector2D Direction,
     double FromMiddle,
@@ -15,7 +16,8 @@ internal readonly record struct LanePiece(
     double Beyond,
     bool IsPast,
     double Height,
-    double Along
+    double Along,
+    bool IsLeft
 )
 {
     /// <summary>Room for the rounding of places on an end or an edge, metres.</summary>
@@ -63,7 +65,8 @@ internal readonly record struct LanePiece(
                     isBeyond ? Math.Abs(raw - t) * along.Length : 0,
                     isBeyond && raw > 1,
                     to.Z - (piece.Z * t),
-                    travelled + (t * along.Length)
+                    travelled + (t * along.Length),
+                    along.Cross(apart) > 0
                 );
             }
 

@@ -44,6 +44,12 @@ internal static class ReportFigures
         json.WriteString("Image", $"{info.Image.Width} × {info.Image.Height} px");
         json.WriteString("Duration", Text($"{statistics.LastTimeSeconds - statistics.FirstTimeSeconds:0.0} s"));
         json.WriteString("Weather", string.Join(", ", statistics.Weathers));
+        if (statistics.Events is { } events)
+        {
+            string counts = string.Join(", ", events.Select(each => Text($"{each.Value} {JsonName.Of(each.Key)}")));
+            json.WriteString("Events", counts.Length > 0 ? counts : "none");
+        }
+
         if (info.Seed is { } seed)
         {
             json.WriteString("Seed", Text($"{seed}"));

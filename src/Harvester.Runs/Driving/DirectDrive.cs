@@ -31,6 +31,9 @@ public sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IControll
     /// <summary>Records the drive; null for none.</summary>
     public GameRecording? Recording { get; init; }
 
+    /// <summary>Called before each tick of the game, as for actors that are staged in it; null for nothing.</summary>
+    public Action? BeforeTick { get; init; }
+
     /// <summary>Disturbs the steering now and then; null for none.</summary>
     public SteeringDisturbance? Disturbance { get; init; }
 
@@ -68,6 +71,7 @@ public sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IControll
                 car.Drive(push == 0 ? controls : new DrivingControls(controls.Steering + push, controls.Throttle, controls.Brake));
             }
 
+            BeforeTick?.Invoke();
             game.Tick(TickSeconds);
             Recording?.Tick(isByController ? DriverKind.Controller : DriverKind.BuiltIn, push != 0);
             if (tick % TicksPerControl == TicksPerControl - 1)

@@ -47,6 +47,7 @@ public static class ScenarioHarvest
                 TrafficDensity = Traffic,
                 PedestrianDensity = Traffic,
                 ParkedDensity = Traffic,
+                HasCrashes = true,
             },
             Weather = "clear",
             DayOfYear = new SimulationOptions().DayOfYear,

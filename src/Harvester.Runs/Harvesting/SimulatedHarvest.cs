@@ -76,7 +76,6 @@ public sealed class SimulatedHarvest
         List<Vector2D> places = count == 1 ? [] : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            StagedRun? staged = plan.Scenario is { } scenario ? StagedRun.Bind(scenario, roads, plan.Seed, plan.Near) : null;
             SimulationOptions options = plan.Variety with
             {
                 Seed = plan.Seed,
@@ -99,7 +98,8 @@ public sealed class SimulatedHarvest
                 IsWarm = true,
                 Quirks = plan.Quirks,
             };
-            var game = new SimulatedGame(staged?.Options(options) ?? options);
+            StagedRun? staged = plan.Scenario is { } scenario ? StagedRun.Begin(scenario, options, plan.Near) : null;
+            SimulatedGame game = staged?.Game ?? new SimulatedGame(options);
             if (plan.Options.Rig is { } rig)
             {
                 RigMounting.Mount(rig, game);
@@ -110,7 +110,6 @@ public sealed class SimulatedHarvest
                 plan.Trial?.Drive.Begin(game);
             }
 
-            staged?.Begin(game);
             return new SimulatedHarvest(plan, game, faces, places, paint, staged);
         }
         catch (ArgumentException e)
@@ -132,6 +131,11 @@ public sealed class SimulatedHarvest
             Replays = _plan.Resume,
         };
         int resumed = writer.FramesWritten;
+        if (_staged is not null)
+        {
+            writer.KeepAtEnd(ScenarioRecord.FileName, () => _staged.Record!.ToJson());
+        }
+
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
         PaintTour? tour = _plan.Survey is { } survey
             ? new PaintTour(Ports(roads), _game.Ports.Car!, survey.Plan.Stations, survey.View, TourTimes.OfSimulation)
@@ -155,7 +159,7 @@ public sealed class SimulatedHarvest
             writer.WaitForRoom();
             changes.Apply(_game, session.Counters.Taken);
             _plan.Trial?.Drive.Tick(_game);
-            _staged?.Tick(_game);
+            _staged?.Tick();
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
             if (session.Step().Captured != before)
@@ -173,11 +177,6 @@ public sealed class SimulatedHarvest
 
         session.Stop();
         writer.Dispose();
-        if (_staged is not null && writer.FramesWritten > 0)
-        {
-            AtomicFile.Write(Path.Combine(folder, ScenarioRecord.FileName), _staged.Record!.ToJson());
-        }
-
         return new HarvestOutcome(
             writer.FramesWritten,
             session.Status.Discarded,

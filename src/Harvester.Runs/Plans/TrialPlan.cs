@@ -74,6 +74,7 @@ public static class TrialPlan
                 TrafficDensity = plan.Traffic,
                 PedestrianDensity = plan.Pedestrians,
                 ParkedDensity = plan.Parked,
+                HasCrashes = scenario is not null,
             },
             Weather = trial.Weather,
             DayOfYear = new SimulationOptions().DayOfYear,

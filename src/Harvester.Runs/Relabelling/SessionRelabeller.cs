@@ -13,6 +13,7 @@ using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Runs.Relabelling;
@@ -112,9 +113,10 @@ public sealed class SessionRelabeller
                     report(++frames);
                 }
 
-                if (File.Exists(_recorded.Session.PathOf(FramePaths.Events)))
+                string[] others = [FramePaths.Events, ScenarioRecord.FileName];
+                foreach (string name in others.Where(name => File.Exists(_recorded.Session.PathOf(name))))
                 {
-                    session.Place(FramePaths.Events, _recorded.Session, _changes.Images, () => digests.Of(FramePaths.Events));
+                    session.Place(name, _recorded.Session, _changes.Images, () => digests.Of(name));
                 }
             },
             () => HeaderOf(start, frames)

@@ -3,9 +3,12 @@ using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Runs.Scenarios;
 
-/// <summary>Writes actors as entities of OpenSCENARIO.</summary>
+/// <summary>Writes actors as entities of OpenSCENARIO, and reads what they are.</summary>
 internal static class OpenScenarioEntities
 {
+    /// <summary>Name of the property that has the model.</summary>
+    private const string Model = "gtaModel";
+
     /// <summary>An entity; sizes are those of a usual car, because a model's are the game's.</summary>
     public static XElement Of(string name, ScenarioActorType type, string model)
     {
@@ -32,7 +35,7 @@ internal static class OpenScenarioEntities
                 new XAttribute("pedestrianCategory", type == ScenarioActorType.Animal ? "animal" : "pedestrian"),
                 OpenScenarioWriter.Number("mass", 75),
                 box,
-                new XElement("Properties")
+                PropertiesOf(model)
             ),
             ScenarioActorType.Object => new XElement(
                 "MiscObject",
@@ -40,7 +43,7 @@ internal static class OpenScenarioEntities
                 new XAttribute("miscObjectCategory", "obstacle"),
                 OpenScenarioWriter.Number("mass", 50),
                 box,
-                new XElement("Properties")
+                PropertiesOf(model)
             ),
             _ => new XElement(
                 "Vehicle",
@@ -54,11 +57,38 @@ internal static class OpenScenarioEntities
                     OpenScenarioWriter.Number("maxDeceleration", 10)
                 ),
                 new XElement("Axles", AxleOf("FrontAxle", 0.5, 2.7), AxleOf("RearAxle", 0, 0)),
-                new XElement("Properties")
+                PropertiesOf(model)
             ),
         };
         return new XElement("ScenarioObject", new XAttribute("name", name), entity);
     }
+
+    /// <summary>The type of an entity, and the class of models that its category names.</summary>
+    public static (ScenarioActorType Type, string Model) TypeOf(XElement body) =>
+        body.Name.LocalName switch
+        {
+            "Pedestrian" when body.Text("pedestrianCategory") == "animal" => (ScenarioActorType.Animal, "dog"),
+            "Pedestrian" => (ScenarioActorType.Pedestrian, "pedestrian"),
+            "MiscObject" => (ScenarioActorType.Object, "crate"),
+            "Vehicle" => body.Text("vehicleCategory") switch
+            {
+                "bicycle" => (ScenarioActorType.Cyclist, "bicycle"),
+                "motorbike" => (ScenarioActorType.Vehicle, "motorcycle"),
+                "bus" => (ScenarioActorType.Vehicle, "bus"),
+                "truck" or "semitrailer" => (ScenarioActorType.Vehicle, "truck"),
+                "van" => (ScenarioActorType.Vehicle, "van"),
+                "car" => (ScenarioActorType.Vehicle, "car"),
+                var category => throw OpenScenarioXml.Wrong(body, $"the vehicleCategory {category} is not supported."),
+            },
+            _ => throw OpenScenarioXml.Unsupported(body),
+        };
+
+    /// <summary>The model that an entity written by <see cref="Of"/> has; null for that of its category.</summary>
+    public static string? ModelOf(XElement body) =>
+        body.Element("Properties")?.Elements("Property").FirstOrDefault(each => each.Attribute("name")?.Value == Model)?.Text("value");
+
+    private static XElement PropertiesOf(string model) =>
+        new("Properties", new XElement("Property", new XAttribute("name", Model), new XAttribute("value", model)));
 
     private static XElement AxleOf(string name, double steering, double x) =>
         new(

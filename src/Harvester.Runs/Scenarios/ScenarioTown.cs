@@ -20,6 +20,9 @@ public sealed class ScenarioTown
     private const double Spacing = 9;
     private const int MostPlaces = 3000;
 
+    /// <summary>Distance of a place from one at which something stood in the way, metres.</summary>
+    private const double Apart = 60;
+
     /// <summary>Around so many nodes of a large network places are looked for, one after another.</summary>
     private const int MostRegions = 60;
 
@@ -27,18 +30,25 @@ public sealed class ScenarioTown
     private const int TownNodes = 2000;
 
     private readonly int _seed;
-    private readonly LaneMaps _maps;
+    private readonly Lazy<LaneNetwork> _whole;
 
-    /// <summary>Prepares the roads of a game.</summary>
+    /// <summary>The last one: scenarios that follow each other are usually staged on the same roads.</summary>
+    private static volatile ScenarioTown? _last;
+
+    /// <summary>Prepares the roads of a game, unless they are those of the last one.</summary>
     /// <param name="roads">The roads; null for the town of the seed.</param>
     /// <param name="seed">Seed of the world.</param>
-    public ScenarioTown(RoadNetwork? roads, int seed)
+    public static ScenarioTown Of(RoadNetwork? roads, int seed) =>
+        _last is { } last && (roads is null ? last.IsTown && last._seed == seed : last.Network == roads)
+            ? last
+            : _last = new ScenarioTown(roads, seed);
+
+    private ScenarioTown(RoadNetwork? roads, int seed)
     {
         _seed = seed;
         Network = roads ?? TownBuilder.Build(seed);
         IsTown = roads is null;
-        var curves = new RoadCurves(Network);
-        _maps = new LaneMaps(curves, new LaneModel(Network, RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth));
+        _whole = new(() => MapOf(Network, new MapContent { KnownMarks = [.. Marks()] }));
     }
 
     /// <summary>The roads.</summary>
@@ -73,55 +83,60 @@ public sealed class ScenarioTown
         return ScenarioBinder.Bind(scenario, map, track.PositionAt(along), track.DirectionAt(along), seed, out reason);
     }
 
-    /// <summary>Binds a scenario at the first of many places, in an order that the seed gives, where it can happen.</summary>
+    /// <summary>Binds a scenario at places where it can happen, in an order that the seed gives, each away from those before.</summary>
     /// <param name="scenario">The scenario, with its parameters drawn.</param>
-    /// <param name="seed">Chooses the place, models and colours.</param>
-    /// <param name="reason">Why it can happen nowhere: what most places lack; null if it can.</param>
-    public BoundScenario? Anywhere(Scenario scenario, int seed, out string? reason)
+    /// <param name="seed">Chooses the places, models and colours.</param>
+    /// <param name="reasons">Receives why it cannot happen at other places, and at how many.</param>
+    public IEnumerable<BoundScenario> Anywhere(Scenario scenario, int seed, Dictionary<string, int> reasons)
     {
         var random = new Random(seed);
-        var reasons = new Dictionary<string, int>(StringComparer.Ordinal);
-        foreach (LaneNetwork map in Regions(random))
+        List<Vector3D> before = [];
+        foreach (LaneNetwork map in Regions(scenario.Place, random))
         {
             (Vector3D Position, Vector3D Direction)[] places = [.. PlacesOn(map)];
             random.Shuffle(places);
             foreach ((Vector3D position, Vector3D direction) in places.Take(MostPlaces))
             {
-                if (ScenarioBinder.Bind(scenario, map, position, direction, seed, out string? why) is { } bound)
+                if (before.Exists(other => (other - position).Length < Apart))
                 {
-                    reason = null;
-                    return bound;
+                    continue;
                 }
 
-                reasons[why!] = reasons.GetValueOrDefault(why!) + 1;
+                if (ScenarioBinder.Bind(scenario, map, position, direction, seed, out string? why) is { } bound)
+                {
+                    before.Add(position);
+                    yield return bound;
+                }
+                else
+                {
+                    reasons[why!] = reasons.GetValueOrDefault(why!) + 1;
+                }
             }
         }
-
-        reason = reasons.Count == 0 ? "The roads have no lanes." : $"No place fits; most often: {reasons.MaxBy(each => each.Value).Key}";
-        return null;
     }
 
-    private IEnumerable<LaneNetwork> Regions(Random random)
+    private IEnumerable<LaneNetwork> Regions(ScenarioNeeds needs, Random random)
     {
         if (Network.Nodes.Count <= TownNodes)
         {
-            yield return Whole.Value;
+            yield return _whole.Value;
             yield break;
         }
 
-        for (int i = 0; i < MostRegions; i++)
+        RoadNode[] nodes = [.. Network.Nodes.Where(node => PlaceNeeds.MayBeNear(needs, node))];
+        for (int i = 0; i < MostRegions && nodes.Length > 0; i++)
         {
-            Vector3D node = Network.Nodes[random.Next(Network.Nodes.Count)].Position;
-            yield return MapAround(Ground(node));
+            yield return MapAround(Ground(nodes[random.Next(nodes.Length)].Position));
         }
     }
 
-    private Lazy<LaneNetwork> Whole => field ??= new(() => _maps.Whole(new MapContent { KnownMarks = [.. Marks()] }));
-
     private LaneNetwork MapAround(Vector2D near) =>
         Network.Nodes.Count <= TownNodes
-            ? Whole.Value
-            : _maps.Whole(area: new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach));
+            ? _whole.Value
+            : MapOf(RoadsAround.Of(Network, new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach)), MapContent.None);
+
+    private static LaneNetwork MapOf(RoadNetwork roads, MapContent content) =>
+        LaneNetwork.Of(new RoadCurves(roads), new LaneModel(roads, RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth), content);
 
     /// <summary>The painted crossings of a town, which its road data does not have.</summary>
     private IReadOnlyList<PaintedMark> Marks() =>

@@ -1,8 +1,6 @@
-using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Scenarios;
 using Harvester.Geometry;
-using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
@@ -19,6 +17,9 @@ public sealed class StagedRun
     /// <summary>Nor is one as far ahead of an actor that parks, metres.</summary>
     private const double ParkingWay = 56;
 
+    /// <summary>So many places are tried where something stands in the way of an actor.</summary>
+    private const int MostPlaces = 8;
+
     private readonly PlannedScenario _planned;
     private ScenarioPlayer? _player;
 
@@ -30,33 +31,71 @@ public sealed class StagedRun
     /// <summary>Whether it is over.</summary>
     public bool IsOver => _player?.Outcome is not null;
 
+    /// <summary>How far the ego is along its way from its start, metres; 0 before the first tick.</summary>
+    public double EgoAt => _player?.EgoAt ?? 0;
+
     /// <summary>What a session keeps of it; null before it has begun.</summary>
     public ScenarioRecord? Record => _player?.Record(_planned.Seed);
 
-    /// <summary>Draws the parameters and finds a place.</summary>
+    /// <summary>The game in which it is played.</summary>
+    public SimulatedGame Game { get; private set; } = null!;
+
+    /// <summary>Draws the parameters, finds a place, makes the game there, puts the actors into it and sends the ego on its way.</summary>
     /// <param name="planned">The scenario.</param>
-    /// <param name="roads">The roads; null for the town of the seed.</param>
-    /// <param name="worldSeed">Seed of the world.</param>
-    /// <param name="near">The place; null for any where it can happen.</param>
+    /// <param name="options">The options of the game otherwise; with its roads and the seed of its world.</param>
+    /// <param name="near">The place; null for any where it can happen, of several where something stands in the way.</param>
     /// <exception cref="ScenarioUnfitException">It cannot happen there; the message says why.</exception>
-    public static StagedRun Bind(PlannedScenario planned, RoadNetwork? roads, int worldSeed, Vector2D? near)
+    public static StagedRun Begin(PlannedScenario planned, SimulationOptions options, Vector2D? near)
     {
         ArgumentNullException.ThrowIfNull(planned);
-        var town = new ScenarioTown(roads, worldSeed);
+        ArgumentNullException.ThrowIfNull(options);
         Scenario scenario = planned.Template.Drawn(planned.Seed);
-        BoundScenario? bound = near is { } place
-            ? town.At(scenario, place, planned.HeadingDegrees, planned.Seed, out string? reason)
-            : town.Anywhere(scenario, planned.Seed, out reason);
-        return bound is null
-            ? throw new ScenarioUnfitException($"The scenario '{scenario.Name}' cannot happen here. {reason}")
-            : new StagedRun(planned, bound);
+        var reasons = new Dictionary<string, int>(StringComparer.Ordinal);
+        string? refusal = null;
+        foreach (
+            BoundScenario bound in Places(planned, scenario, ScenarioTown.Of(options.Roads, options.Seed), near, reasons).Take(MostPlaces)
+        )
+        {
+            var staged = new StagedRun(planned, bound);
+            if (staged.Enter(options) is not { } reason)
+            {
+                return staged;
+            }
+
+            refusal ??= reason;
+        }
+
+        refusal ??=
+            reasons.Count == 0 ? "The roads have no lanes, or no crossing or lights that it needs."
+            : near is null ? $"No place fits; most often: {reasons.MaxBy(each => each.Value).Key}"
+            : reasons.Keys.First();
+        throw new ScenarioUnfitException($"The scenario '{scenario.Name}' cannot happen here. {refusal}");
     }
 
-    /// <summary>The options of a game in which it can be played.</summary>
-    /// <param name="options">The options otherwise.</param>
-    public SimulationOptions Options(SimulationOptions options)
+    private static IEnumerable<BoundScenario> Places(
+        PlannedScenario planned,
+        Scenario scenario,
+        ScenarioTown town,
+        Vector2D? near,
+        Dictionary<string, int> reasons
+    )
     {
-        ArgumentNullException.ThrowIfNull(options);
+        if (near is not { } place)
+        {
+            return town.Anywhere(scenario, planned.Seed, reasons);
+        }
+
+        BoundScenario? bound = town.At(scenario, place, planned.HeadingDegrees, planned.Seed, out string? reason);
+        if (bound is null)
+        {
+            reasons.Add(reason!, 1);
+        }
+
+        return bound is null ? [] : [bound];
+    }
+
+    private SimulationOptions Options(SimulationOptions options)
+    {
         Vector3D forward = Bound.Place.Track.DirectionAt(0);
         return options with
         {
@@ -73,28 +112,31 @@ public sealed class StagedRun
         };
     }
 
-    /// <summary>Puts the actors into the game and sends the ego on its way.</summary>
-    /// <exception cref="ScenarioUnfitException">An actor cannot be put there; the message says why.</exception>
-    public void Begin(SimulatedGame game)
+    /// <summary>Makes the game, puts the actors into it and sends the ego on its way.</summary>
+    /// <returns>Why that is impossible, as a sentence; null if it is done.</returns>
+    private string? Enter(SimulationOptions options)
     {
-        ArgumentNullException.ThrowIfNull(game);
-        IStage stage = game.Ports.Stage ?? throw new ArgumentException("The game has no stage.", nameof(game));
-        _player = new ScenarioPlayer(Bound, stage, game.Ports.World)
+        try
+        {
+            Game = new SimulatedGame(Options(options));
+        }
+        catch (ArgumentException e)
+        {
+            return e.Message;
+        }
+
+        _player = new ScenarioPlayer(Bound, Game.Ports.Stage!, Game.Ports.World)
         {
             EgoIgnoresOthers = _planned.IsEgoBlind,
-            Light = () => game.Conduct.Light ?? LightState.Unknown,
+            Light = () => Game.Conduct.Light ?? LightState.Unknown,
         };
-        if (_player.Begin() is { } reason)
-        {
-            throw new ScenarioUnfitException($"The scenario '{Bound.Scenario.Name}' cannot happen here. {reason}");
-        }
+        return _player.Begin();
     }
 
     /// <summary>Plays on for the coming tick, unless the game is frozen.</summary>
-    public void Tick(SimulatedGame game)
+    public void Tick()
     {
-        ArgumentNullException.ThrowIfNull(game);
-        if (!game.IsFrozen)
+        if (!Game.IsFrozen)
         {
             _player?.Tick();
         }

@@ -7,7 +7,7 @@ namespace Harvester.Sessions.Events;
 /// <param name="PeakSeconds">The game's time of the reading in which it was worst, seconds.</param>
 /// <param name="EndSeconds">The game's time of the last reading in which it happened, seconds.</param>
 /// <param name="End">Why it ended.</param>
-/// <param name="Participants">Who took part: the ego first, otherwise the doer or the one with the smaller id.</param>
+/// <param name="Participants">Who took part: of a cut-in, who cuts in first; otherwise the ego first.</param>
 public sealed record DrivingEvent(
     int Id,
     EventKind Kind,

@@ -11,4 +11,19 @@ public enum EventKind
 
     /// <summary>The footprints of two road users touched.</summary>
     Collision,
+
+    /// <summary>A vehicle came from the lane beside into that of another, closely ahead of it. One of both is the ego.</summary>
+    CutIn,
+
+    /// <summary>A vehicle drove past its stop line at a red light.</summary>
+    RedLightRun,
+
+    /// <summary>A vehicle drove past its stop line at a stop sign without having stopped.</summary>
+    StopSignRun,
+
+    /// <summary>A vehicle drives beside the road.</summary>
+    OffRoad,
+
+    /// <summary>A vehicle drives on a lane of the other direction.</summary>
+    WrongWay,
 }

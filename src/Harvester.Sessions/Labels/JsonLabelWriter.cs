@@ -1,6 +1,5 @@
 using System.Globalization;
 using Harvester.Geometry;
-using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -55,7 +54,7 @@ public static class JsonLabelWriter
         json.Key("objects").BeginArray();
         foreach (ObjectLabel label in frame.Objects)
         {
-            Append(json, label);
+            ObjectJson.Append(json, label);
         }
 
         json.EndArray().Key("ignoreRegions").BeginArray();
@@ -90,7 +89,7 @@ public static class JsonLabelWriter
     internal static void Append(JsonText json, CameraLabel camera)
     {
         json.BeginObject().Key("position").Vector(camera.Pose.Position, LabelDecimals.Metres);
-        Append(json, camera.Pose.Axes);
+        AxesJson.Append(json, camera.Pose.Axes);
         json.Key("verticalFovDegrees")
             .Number(camera.VerticalFovDegrees, LabelDecimals.CameraRatio)
             .Key("width")
@@ -155,26 +154,6 @@ public static class JsonLabelWriter
         json.EndObject();
     }
 
-    private static void Append(JsonText json, AmodalMask mask)
-    {
-        json.BeginObject()
-            .Key("box")
-            .BeginArray()
-            .Integer(mask.Left)
-            .Integer(mask.Top)
-            .Integer(mask.Width)
-            .Integer(mask.Height)
-            .EndArray()
-            .Key("runs")
-            .BeginArray();
-        foreach (int run in mask.Runs)
-        {
-            json.Integer(run);
-        }
-
-        json.EndArray().EndObject();
-    }
-
     private static void Append(JsonText json, RayCounts? rays)
     {
         if (rays is null)
@@ -215,7 +194,7 @@ public static class JsonLabelWriter
             .Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees);
         if (ego.Axes is { } axes)
         {
-            Append(json, axes);
+            AxesJson.Append(json, axes);
         }
 
         json.Key("heightAboveGroundMetres")
@@ -247,95 +226,6 @@ public static class JsonLabelWriter
             .String(environment.TimeOfDay.ToString("hh\\:mm\\:ss", CultureInfo.InvariantCulture))
             .EndObject();
 
-    private static void Append(JsonText json, ObjectLabel label)
-    {
-        json.BeginObject()
-            .Key("id")
-            .Integer(label.Id)
-            .Key("class")
-            .String(JsonName.Of(label.Class))
-            .Key("model")
-            .String(label.Model)
-            .Key("name")
-            .String(label.Name)
-            .Key("parent")
-            .Integer(label.Parent)
-            .Key("knownParts")
-            .Integer(label.KnownParts)
-            .Key("hasRider")
-            .Boolean(label.HasRider);
-        if (label.Class == ObjectClass.Rider)
-        {
-            json.Key("vehicle").Integer(label.Vehicle);
-        }
-
-        json.Key("box2d")
-            .Box(label.Box2D, LabelDecimals.Pixels)
-            .Key("box2dAmodal")
-            .Box(label.Box2DAmodal, LabelDecimals.Pixels)
-            .Key("box2dVisible")
-            .Box(label.Box2DVisible, LabelDecimals.Pixels);
-        if (label.Box2DWhole is { } whole)
-        {
-            json.Key("box2dWhole").Box(whole, LabelDecimals.Pixels);
-        }
-
-        json.Key("boxes").BeginArray();
-        foreach (BoxKind kind in label.Boxes)
-        {
-            json.String(JsonName.Of(kind));
-        }
-
-        json.EndArray()
-            .Key("truncatedFraction")
-            .Number(label.TruncatedFraction, LabelDecimals.Fraction)
-            .Key("occludedFraction")
-            .Number(label.OccludedFraction, LabelDecimals.Fraction)
-            .Key("occlusionMethod")
-            .String(JsonName.Of(label.OcclusionMethod))
-            .Key("visibleFraction")
-            .Number(label.VisibleFraction, LabelDecimals.Fraction);
-        if (label.TrueOccludedFraction is { } hidden)
-        {
-            json.Key("trueOccludedFraction").Number(hidden, LabelDecimals.Fraction);
-        }
-
-        Append(json.Key("box3d"), label.Box3D);
-        json.Key("distanceMetres")
-            .Number(label.DistanceMetres, LabelDecimals.Metres)
-            .Key("velocity")
-            .Vector(label.Velocity, LabelDecimals.Speed);
-        if (label.LaneId is { } lane)
-        {
-            json.Key("laneId").String(lane);
-        }
-
-        if (label.GovernedLanes is { } governed)
-        {
-            json.Key("governedLanes").BeginArray();
-            foreach (string each in governed)
-            {
-                json.String(each);
-            }
-
-            json.EndArray();
-        }
-
-        if (label.AmodalMask is { } amodal)
-        {
-            Append(json.Key("amodalMask"), amodal);
-        }
-
-        Append(json.Key("space"), label.Face);
-        VehicleLightsJson.Append(json, label.Lights);
-        if (label.Joints is { } joints)
-        {
-            JointsJson.Append(json, joints);
-        }
-
-        json.EndObject();
-    }
-
     private static void Append(JsonText json, IgnoreRegion region) =>
         json.BeginObject()
             .Key("reason")
@@ -347,62 +237,4 @@ public static class JsonLabelWriter
             .Key("distanceMetres")
             .Number(region.DistanceMetres, LabelDecimals.Metres)
             .EndObject();
-
-    private static void Append(JsonText json, FaceLabel? face)
-    {
-        if (face is null)
-        {
-            json.Null();
-            return;
-        }
-
-        json.BeginObject()
-            .Key("face")
-            .Integer(face.Number)
-            .Key("mutcd")
-            .String(face.MutcdCode)
-            .Key("facesCamera")
-            .Boolean(face.FacesCamera)
-            .Key("facingAngleDegrees")
-            .Number(face.FacingAngleDegrees, LabelDecimals.Degrees)
-            .Key("provenance")
-            .String(JsonName.Of(face.Provenance));
-        json.Key("light");
-        if (face.Light is { } light)
-        {
-            json.BeginObject()
-                .Key("state")
-                .String(JsonName.Of(light.State))
-                .Key("method")
-                .String(JsonName.Of(light.Method))
-                .Key("litFraction")
-                .Number(light.LitFraction, LabelDecimals.Fraction)
-                .EndObject();
-        }
-        else
-        {
-            json.Null();
-        }
-
-        json.EndObject();
-    }
-
-    private static void Append(JsonText json, Cuboid cuboid)
-    {
-        json.BeginObject()
-            .Key("centre")
-            .Vector(cuboid.Centre, LabelDecimals.Metres)
-            .Key("halfExtents")
-            .Vector(cuboid.HalfExtents, LabelDecimals.Metres);
-        Append(json, cuboid.Axes);
-        json.EndObject();
-    }
-
-    private static void Append(JsonText json, Axes axes) =>
-        json.Key("right")
-            .Vector(axes.Right, LabelDecimals.Axis)
-            .Key("forward")
-            .Vector(axes.Forward, LabelDecimals.Axis)
-            .Key("up")
-            .Vector(axes.Up, LabelDecimals.Axis);
 }

@@ -5,7 +5,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Sessions.Labels;
 
 /// <summary>A channel that has one map for each frame, a PNG image, and is switched on by its name.</summary>
-/// <param name="key">Its field in a label, its option in session.json and its folder.</param>
+/// <param name="key">Its field in a label and its option in session.json; its folder has hyphens between the words.</param>
 /// <param name="fileKind">What a map is, in messages.</param>
 /// <param name="bitsPerPixel">Bits per pixel of a map.</param>
 /// <param name="ownSwitch">How a user switches it on.</param>
@@ -18,7 +18,7 @@ public sealed class MapChannel(string key, string fileKind, int bitsPerPixel, Ch
     public override string FileKind => fileKind;
 
     /// <inheritdoc />
-    public override IReadOnlyList<string> Folders { get; } = [key];
+    public override IReadOnlyList<string> Folders { get; } = [HyphenatedName.Of(key)];
 
     /// <inheritdoc />
     public override string RaysKey => key;
@@ -32,7 +32,7 @@ public sealed class MapChannel(string key, string fileKind, int bitsPerPixel, Ch
     /// <summary>Path of a map.</summary>
     /// <param name="frame">Number of the frame.</param>
     /// <param name="view">The view of a rig; null without a rig.</param>
-    public string PathOf(int frame, string? view) => FramePaths.Map(key, frame, view);
+    public string PathOf(int frame, string? view) => FramePaths.Map(Folders[0], frame, view);
 
     /// <inheritdoc />
     public override IChannelLabel? LabelIn(ChannelLabels labels) => labels?.Get<MapLabel>(label => label.Key == key);

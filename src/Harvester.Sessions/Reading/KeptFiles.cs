@@ -1,8 +1,11 @@
+using System.Text.Json;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Roads;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Sessions.Reading;
 
@@ -27,6 +30,28 @@ internal static class KeptFiles
         catch (FormatException e)
         {
             throw new DatasetFormatException(e.Message, e);
+        }
+    }
+
+    /// <summary>The record of a staged scenario; null if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">The file is not JSON; the message names the place in it.</exception>
+    public static string? ReadScenario(SessionReader session)
+    {
+        string path = session.PathOf(ScenarioRecord.FileName);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        try
+        {
+            string text = InputFile.ReadAllText(path);
+            using JsonDocument document = JsonInput.Parse(text);
+            return text;
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException(JsonFault.InText(e), e);
         }
     }
 

@@ -31,7 +31,7 @@ public sealed class SimulatedGame
 
     private readonly HandleCounter _handles = new();
     private SimulationOptions _options;
-    private readonly WeatherClock _weather;
+    private readonly GameSky _sky;
     private SimulatedWorld _world;
     private PicturePainter _painter;
     private readonly Vanishing _vanishing;
@@ -40,11 +40,7 @@ public sealed class SimulatedGame
     private Moment? _present;
     private MountedView _view;
     private CameraState _cameraBefore;
-    private double _weatherAheadSeconds;
     private long _state;
-    private int _precipitation;
-    private (string Weather, TimeSpan Start)? _skyBefore;
-    private readonly SkyFade _fade;
     private long _rayState = -1;
 
     /// <summary>Builds the world.</summary>
@@ -61,8 +57,7 @@ public sealed class SimulatedGame
             options.Lens
         );
         View = _view;
-        _weather = new WeatherClock(options);
-        _fade = new SkyFade(options.Quirks.SlowSkyTicks);
+        _sky = new GameSky(options);
         Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
         Hidden = new LateHiding(options.Seed, options.Quirks);
@@ -174,7 +169,7 @@ public sealed class SimulatedGame
 
     internal double ElapsedSeconds { get; private set; }
 
-    internal EnvironmentState Environment => _weather.At(WeatherSeconds);
+    internal EnvironmentState Environment => _sky.EnvironmentAt(_world.TimeSeconds);
 
     internal CameraState ReportedCamera => _options.Quirks.IsCameraReportedLate ? _cameraBefore : Camera;
 
@@ -197,11 +192,6 @@ public sealed class SimulatedGame
         }
     }
 
-    /// <summary>The world's time for time of day and weather, which may continue in a frozen world.</summary>
-    private double WeatherSeconds => _world.TimeSeconds + _weatherAheadSeconds;
-
-    private Lighting Light => _fade.Shown(_weather.LightingAt(WeatherSeconds));
-
     private CameraState Camera => new(_world.Ego.Pose.Compose(_view.Mount), _view.VerticalFovDegrees, _options.NearClip, _view.Aspect);
 
     /// <summary>The present moment, which rays meet and which a frozen game shows.</summary>
@@ -211,7 +201,7 @@ public sealed class SimulatedGame
         {
             if (_present?.State != _state)
             {
-                _world.IsDark = _weather.IsDarkAt(WeatherSeconds);
+                _world.IsDark = _sky.IsDarkAt(_world.TimeSeconds);
                 Vector3D eye = Camera.Pose.Position;
                 _present = new Moment(
                     _state,
@@ -224,10 +214,7 @@ public sealed class SimulatedGame
                         Environment
                     ),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of), .. Sheets.Select(SheetModel.Of)],
-                    Light with
-                    {
-                        PrecipitationSeed = _precipitation,
-                    },
+                    _sky.LightAt(_world.TimeSeconds),
                     _world.LightsNear(eye)
                 )
                 {
@@ -277,16 +264,16 @@ public sealed class SimulatedGame
         double worldSeconds = seconds * Freezing.TakeTick();
         if (worldSeconds > 0)
         {
-            _world.SetRain(_weather.LightingAt(WeatherSeconds).RainFraction);
+            _world.SetRain(_sky.RainAt(_world.TimeSeconds));
             _world.Advance(worldSeconds);
-            _precipitation++;
+            _sky.Fall();
             _state++;
         }
 
         if (worldSeconds < seconds && Freezing.LetsWeatherGoOn)
         {
-            _weatherAheadSeconds += seconds - worldSeconds;
-            _precipitation++;
+            _sky.GoOn(seconds - worldSeconds);
+            _sky.Fall();
             _state++;
         }
 
@@ -297,7 +284,7 @@ public sealed class SimulatedGame
         }
 
         _state += Hidden.Tick() ? 1 : 0;
-        _state += _fade.Tick() ? 1 : 0;
+        _state += _sky.Tick() ? 1 : 0;
         _vanishing.Tick(GameFrame);
         Hide();
 
@@ -385,35 +372,29 @@ public sealed class SimulatedGame
     /// <summary>Sets weather, time of day or both; null leaves a value unchanged.</summary>
     internal void SetEnvironment(string? weather, TimeSpan? timeOfDay)
     {
-        _weather.Set(weather, timeOfDay, WeatherSeconds);
+        _sky.Set(weather, timeOfDay, _world.TimeSeconds);
         _state++;
     }
 
     /// <summary>Sets weather and time of day until they are restored; null for those before.</summary>
     internal void SetSky(string? weather, TimeSpan? timeOfDay)
     {
-        Lighting shown = Light;
-        _skyBefore ??= _weather.Keep();
-        _weather.Restore(_skyBefore.Value);
-        SetEnvironment(weather, timeOfDay);
-        _fade.Begin(shown);
+        _sky.Replace(weather, timeOfDay, _world.TimeSeconds);
+        _state++;
     }
 
     /// <summary>Gives weather and time of day back as they were before they were set.</summary>
     internal void RestoreSky()
     {
-        if (_skyBefore is { } before)
+        if (_sky.Restore(_world.TimeSeconds))
         {
-            _fade.Begin(Light);
-            _skyBefore = null;
-            _weather.Restore(before);
             _state++;
         }
     }
 
     internal IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
-        _world.IsDark = _weather.IsDarkAt(WeatherSeconds);
+        _world.IsDark = _sky.IsDarkAt(_world.TimeSeconds);
         List<EntityState> entities = _world.EntitiesNear(centre, range);
         if (Quirks.ModelMarginMetres > 0)
         {
@@ -441,7 +422,7 @@ public sealed class SimulatedGame
         double before = place == 0 ? 0 : _world!.TimeSeconds;
         _world = new SimulatedWorld(_options, _handles, place, before);
         Place = place;
-        _weatherAheadSeconds -= _world.TimeSeconds - before;
+        _sky.GoOn(before - _world.TimeSeconds);
         _painter = new PicturePainter(_world.Scene, _options.Detail, new PictureNoise(_options.Seed, _options.Quirks));
         _rayShapes = RayShapes.AreNeededFor(_options.Quirks) ? new RayShapes(_options.Quirks, _options.Seed, _world.Scene) : null;
         _toBeShown.Clear();

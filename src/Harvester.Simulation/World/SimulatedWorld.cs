@@ -29,19 +29,15 @@ internal sealed class SimulatedWorld
     /// <summary>After so long the ego need not drift: it may wait at a light or follow a lane too narrow for it.</summary>
     private const double MaxSecondsToDrift = 25;
 
-    private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
-
-    /// <summary>The parked vehicles of a world with crashes, in which they can move.</summary>
-    private readonly List<ParkedVehicle> _loose;
 
     /// <summary>The walkers, and the people who were put into the world.</summary>
     private readonly List<IPerson> _people;
     private readonly TrafficFlow _traffic;
     private readonly WalkerFlow _walking;
     private readonly SignalProps _signalProps;
-    private readonly IReadOnlyList<Vector3D> _lamps;
+    private readonly WorldContents _contents;
     private readonly MotionMeter _motion;
     private readonly Func<EgoWatch> _newWatch;
     private readonly ReplayedTraffic? _replayed;
@@ -140,16 +136,14 @@ internal sealed class SimulatedWorld
 
         LaneControl control = new(site.Signals, scenery.StopArms);
         IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
-        _loose = options.HasCrashes ? [.. parked.Select(prop => new ParkedVehicle(prop))] : [];
-        CrashFlow? crashes = options.HasCrashes ? new CrashFlow(site.Lanes, _vehicles, _loose, _people) : null;
+        List<ParkedVehicle> loose = options.HasCrashes ? [.. parked.Select(prop => new ParkedVehicle(prop))] : [];
+        CrashFlow? crashes = options.HasCrashes ? new CrashFlow(site.Lanes, _vehicles, loose, _people) : null;
         _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing, crashes)
         {
             Radius = options.TrafficRadiusMetres,
         };
         _newWatch = () => new EgoWatch(Ego, Car, _traffic, _people, control);
-        _lamps = scenery.Lamps;
         List<Prop> still = options.HasCrashes ? [] : parked;
-        _entities = [.. still, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
             .. site.Ground,
             .. still.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
@@ -169,6 +163,8 @@ internal sealed class SimulatedWorld
             _replayed.MoveTo(TimeSeconds, 0, Ego);
         }
 
+        Prop[] fixtures = [.. still, .. scenery.Props.Where(prop => prop.Handle != 0)];
+        _contents = new WorldContents(_vehicles, _people, loose, fixtures, _signalProps, scenery.Lamps, _replayed);
         if (isWarm)
         {
             const double minSeconds = 5;
@@ -227,11 +223,19 @@ internal sealed class SimulatedWorld
 
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
 
-    /// <summary>The handle of a moving entity that is neither drawn nor read; 0 if there is none.</summary>
-    public int HiddenHandle { get; set; }
+    /// <inheritdoc cref="WorldContents.HiddenHandle"/>
+    public int HiddenHandle
+    {
+        get => _contents.HiddenHandle;
+        set => _contents.HiddenHandle = value;
+    }
 
-    /// <summary>Whether it is so dark that vehicles in traffic have their headlights on.</summary>
-    public bool IsDark { get; set; }
+    /// <inheritdoc cref="WorldContents.IsDark"/>
+    public bool IsDark
+    {
+        get => _contents.IsDark;
+        set => _contents.IsDark = value;
+    }
 
     /// <summary>Whether a handle is that of a vehicle in traffic or of the ego.</summary>
     public bool IsVehicle(int handle) => handle >= _vehicles[0].Handle && handle <= _lastHandleInTraffic;
@@ -293,125 +297,17 @@ internal sealed class SimulatedWorld
         Car.EndTick();
     }
 
-    /// <summary>Objects that move or change within a distance of a position, without the ego.</summary>
-    public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range)
-    {
-        double squared = range * range;
-        return _vehicles
-            .Skip(1)
-            .Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
-            .SelectMany(vehicle => vehicle.Instances(LightsOf(vehicle)))
-            .Concat(
-                _people
-                    .Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
-                    .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle))
-            )
-            .Concat(
-                ReplayedBodies
-                    .Where(body => (body.Pose.Position - place).LengthSquared < squared)
-                    .SelectMany(body => body.Instances(IsDark))
-            )
-            .Concat(
-                _loose.Where(vehicle => (vehicle.Prop.Pose.Position - place).LengthSquared < squared).Select(vehicle => vehicle.Instance)
-            )
-            .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
-    }
+    /// <inheritdoc cref="WorldContents.MovingNear"/>
+    public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range) => _contents.MovingNear(place, range, TimeSeconds);
 
-    /// <summary>The entities within a distance of a position, without the ego, in the order of their handles.</summary>
-    public List<EntityState> EntitiesNear(Vector3D place, double range)
-    {
-        double squared = range * range;
-        IEnumerable<EntityState> vehicles = _vehicles
-            .Skip(1)
-            .Where(vehicle => IsNear(vehicle.Pose))
-            .Select(vehicle => new EntityState(
-                vehicle.Handle,
-                vehicle.Model.Class,
-                vehicle.Model.Name,
-                vehicle.Pose,
-                vehicle.Model.Min,
-                vehicle.Model.Max,
-                vehicle.Velocity
-            )
-            {
-                HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
-                Lights = VehicleClasses.AreVehicles(vehicle.Model.Class) ? LightsOf(vehicle) : null,
-            });
-        IEnumerable<EntityState> riders = _vehicles
-            .Skip(1)
-            .Where(vehicle => vehicle.Rider is not null && vehicle.Handle != HiddenHandle && IsNear(vehicle.Pose))
-            .Select(vehicle => new EntityState(
-                vehicle.RiderHandle,
-                ObjectClass.Rider,
-                vehicle.Rider!.Name,
-                vehicle.Pose,
-                vehicle.Rider.Min,
-                vehicle.Rider.Max,
-                vehicle.Velocity
-            )
-            {
-                VehicleHandle = vehicle.Handle,
-                Skeleton = vehicle.Rider.Skeletons[0].MovedBy(vehicle.Pose),
-            });
-        IEnumerable<EntityState> walkers = _people
-            .Where(walker => IsNear(walker.Pose))
-            .Select(walker => new EntityState(
-                walker.Handle,
-                walker.Model.Class,
-                walker.Model.Name,
-                walker.Pose,
-                walker.Model.Min,
-                walker.Model.Max,
-                walker.Velocity
-            )
-            {
-                Skeleton = walker.Skeleton,
-            });
-        IEnumerable<EntityState> props = _entities
-            .Where(prop => IsNear(prop.Pose))
-            .Select(prop => prop.State)
-            .Concat(_loose.Where(vehicle => IsNear(vehicle.Prop.Pose)).Select(vehicle => vehicle.State));
-        return
-        [
-            .. vehicles
-                .Concat(riders)
-                .Concat(walkers)
-                .Concat(ReplayedBodies.Where(body => IsNear(body.Pose)).SelectMany(body => body.Entities(IsDark)))
-                .Concat(props)
-                .Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
-                .Where(entity => entity.Handle != HiddenHandle)
-                .OrderBy(entity => entity.Handle),
-        ];
+    /// <inheritdoc cref="WorldContents.EntitiesNear"/>
+    public List<EntityState> EntitiesNear(Vector3D place, double range) => _contents.EntitiesNear(place, range, TimeSeconds);
 
-        bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
-    }
+    /// <inheritdoc cref="WorldContents.VehicleNearest"/>
+    public int VehicleNearest(Vector3D place) => _contents.VehicleNearest(place);
 
-    private IEnumerable<ReplayedBody> ReplayedBodies => _replayed?.Present.Where(body => body.Handle != HiddenHandle) ?? [];
-
-    /// <summary>The handle of the vehicle nearest to a position, without the ego; 0 if there is none.</summary>
-    public int VehicleNearest(Vector3D place) =>
-        _vehicles.Skip(1).MinBy(vehicle => (vehicle.Pose.Position - place).LengthSquared)?.Handle ?? 0;
-
-    /// <summary>The nearest street lamps and headlights, which light the scene at night.</summary>
-    public List<LightSource> LightsNear(Vector3D eye)
-    {
-        const double range = 120;
-        const int maxLamps = 14;
-        const int maxVehicles = 8;
-        const double lampAhead = 2;
-        IEnumerable<LightSource> lamps = _lamps
-            .Where(lamp => (lamp - eye).Length < range)
-            .OrderBy(lamp => (lamp - eye).LengthSquared)
-            .Take(maxLamps)
-            .Select(LightSource.StreetLamp);
-        IEnumerable<LightSource> headlights = Vehicles
-            .Where(vehicle => vehicle.Model.Lamps is not null)
-            .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
-            .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
-            .Take(maxVehicles)
-            .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
-        return [.. lamps, .. headlights];
-    }
+    /// <inheritdoc cref="WorldContents.LightsNear"/>
+    public List<LightSource> LightsNear(Vector3D eye) => _contents.LightsNear(eye);
 
     /// <summary>
     /// Begins to build, on another thread, the trees of the meshes around the ego: the first pictures need them, and the traffic, which is
@@ -434,8 +330,6 @@ internal sealed class SimulatedWorld
         ];
         _ = Task.Run(() => Array.ForEach(nearest, static mesh => _ = mesh.Tree));
     }
-
-    private VehicleLights LightsOf(Vehicle vehicle) => vehicle.Signals.At(vehicle, TimeSeconds, IsDark);
 
     private static Vector3D Middle(RoadNetwork network) =>
         network.Nodes.Aggregate(Vector3D.Zero, (sum, node) => sum + node.Position) / network.Nodes.Count;

@@ -17,6 +17,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("coco", "annotations/instances_train.json")]
     [InlineData("yolo", "data.yaml")]
     [InlineData("csv", "objects.csv")]
+    [InlineData("parquet", "objects.parquet")]
     public void Export_writes_a_dataset(string format, string file)
     {
         CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"));
@@ -50,6 +51,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("voc", "car=auto")]
     [InlineData("cityscapes", "other=static")]
     [InlineData("csv", "car=auto")]
+    [InlineData("parquet", "car=auto")]
     [InlineData("bdd100k", "other=train")]
     [InlineData("openlabel", "car=auto")]
     [InlineData("imagefolder", "car=auto")]
@@ -214,18 +216,18 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--classes",
         "car",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv"
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv, parquet"
     )]
     [InlineData(
         "--min-visible",
         "0.2",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv"
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv, parquet"
     )]
     [InlineData(
         "--parts",
         "none",
-        "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, bdd100k, openlabel, webdataset, imagefolder, mcap, csv"
+        "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, bdd100k, openlabel, webdataset, imagefolder, mcap, csv, parquet"
     )]
     [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, bdd100k, motchallenge, openlabel, imagefolder, mcap")]
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc, imagefolder")]
@@ -234,17 +236,17 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "copy",
         "kitti, kitti-tracking, kitti-odometry, kitti-flow, middlebury-flow, euroc, coco, coco-panoptic, coco-keypoints, jta, yolo, "
             + "yolo-segment, voc, cityscapes, semantic, bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, "
-            + "openlane-v2, imagefolder, csv"
+            + "openlane-v2, imagefolder, csv, parquet, video, video-lossless"
     )]
     [InlineData(
         "--split-block",
         "10",
         "kitti, kitti-flow, middlebury-flow, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
-            + "deepdriving, tusimple, culane, openlane, webdataset, imagefolder, csv"
+            + "deepdriving, tusimple, culane, openlane, webdataset, imagefolder, csv, parquet"
     )]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
-        foreach (string format in DatasetFormats.All.Select(format => format.Name))
+        foreach (string format in DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name))
         {
             CliRun run = CliRun.Of("export", session.Folder, "--out", _folder.PathOf(format), "--format", format, option, value);
             if (formats.Split(", ").Contains(format))

@@ -8,11 +8,11 @@ namespace Harvester.Cli.Tests.Commands;
 /// <summary>Events from the command line to the commands that read a session.</summary>
 public sealed class HarvestEventsTests : IDisposable
 {
-    /// <summary>A drive with events of all kinds that ordinary traffic has.</summary>
+    /// <summary>Three seconds in which a vehicle brakes hard soon, and then two collide.</summary>
     private static readonly string[] Busy =
     [
-        .. "--frames 160 --size 64x48 --hz 4 --places 1 --traffic 3 --pedestrians 4 --wander 2 --lane-changes 4 --seed 2".Split(' '),
-        .. "--events --no-report --no-scenes --range 40 --max-camera-error 0".Split(' '),
+        .. "--frames 14 --size 64x48 --hz 4 --places 1 --traffic 3 --pedestrians 5 --wander 3 --lane-changes 5 --seed 4".Split(' '),
+        .. "--events --no-report --no-scenes --range 20 --max-camera-error 0".Split(' '),
     ];
 
     private readonly TemporaryFolder _folder = new();
@@ -62,11 +62,11 @@ public sealed class HarvestEventsTests : IDisposable
     [Trait("Category", "Heavy")]
     public void Keep_around_writes_the_frames_near_events_and_no_others()
     {
-        const double seconds = 2;
+        const double seconds = 1;
         string all = _folder.PathOf("all");
         string kept = _folder.PathOf("kept");
         CliRun.Of(["harvest", "--out", all, .. Busy]).AssertDone();
-        CliRun.Of(["harvest", "--out", kept, .. Busy, "--keep-around", "2s", "--keep-kinds", "hardBraking"]).AssertDone();
+        CliRun.Of(["harvest", "--out", kept, .. Busy, "--keep-around", "1s", "--keep-kinds", "hardBraking"]).AssertDone();
         CliRun.Of("validate", "--schema", kept).AssertDone();
         DrivingEvent[] events = [.. new SessionReader(all).ReadEvents().Where(each => each.Kind == EventKind.HardBraking)];
 

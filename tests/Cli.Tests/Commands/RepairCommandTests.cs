@@ -38,6 +38,17 @@ public sealed class RepairCommandTests : IDisposable
     }
 
     [Fact]
+    public void Repaired_session_can_be_repaired_again()
+    {
+        Harvest();
+        CliRun.Of("repair", Session, "--out", _folder.PathOf("made")).AssertDone();
+
+        CliRun.Of("repair", _folder.PathOf("made"), "--out", _folder.PathOf("again")).AssertDone();
+
+        Assert.Equal(File.ReadAllText(_folder.PathOf("made/session.json")), File.ReadAllText(_folder.PathOf("again/session.json")));
+    }
+
+    [Fact]
     public void Repair_of_a_session_in_place_is_refused()
     {
         Harvest();

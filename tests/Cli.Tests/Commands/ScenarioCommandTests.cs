@@ -34,6 +34,31 @@ public sealed class ScenarioCommandTests : IDisposable
         Assert.True(Schema().Evaluate(record["scenario"]).IsValid);
     }
 
+    [Fact]
+    public void Commands_that_derive_sessions_keep_the_scenario_and_validate_guards_it()
+    {
+        File.WriteAllText(File1, WritingCommand.Scenario);
+        string session = _folder.PathOf("out");
+        CliRun.Of("scenario", "run", File1, "--out", session, "--hz", "2", "--size", "160x120", "--no-report").AssertDone();
+        string[] parts = [_folder.PathOf("1"), _folder.PathOf("2")];
+
+        CliRun.Of("relabel", session, "--out", parts[0], "--shard", "1/2").AssertDone();
+        CliRun.Of("relabel", session, "--out", parts[1], "--shard", "2/2").AssertDone();
+        CliRun.Of("merge", parts[0], parts[1], "--out", _folder.PathOf("merged")).AssertDone();
+        CliRun.Of("repair", session, "--out", _folder.PathOf("repaired")).AssertDone();
+
+        string record = Path.Combine(session, "scenario.json");
+        Assert.All(
+            (string[])[.. parts, _folder.PathOf("merged"), _folder.PathOf("repaired")],
+            made => Assert.Equal(File.ReadAllBytes(record), File.ReadAllBytes(Path.Combine(made, "scenario.json")))
+        );
+        CliRun.Of("validate", _folder.PathOf("merged")).AssertDone();
+        File.AppendAllText(record, " ");
+        CliRun damaged = CliRun.Of("validate", session);
+        Assert.Equal(ExitCode.BadData, damaged.ExitCode);
+        Assert.Contains("scenario.json: it ", damaged.Out, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("""{"name":"p","kind":"k","actors":[]}""")]
     [InlineData("""{"name":"p","kind":"k","actors":[{"id":"a","type":"plane","start":{"metresAhead":1}}]}""")]

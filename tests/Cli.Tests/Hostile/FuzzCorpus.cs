@@ -25,6 +25,7 @@ public sealed class FuzzCorpus : IDisposable
             Run(command);
         }
 
+        File.WriteAllText(_folder.PathOf("eventful/events.jsonl"), FuzzTexts.Events);
         Run("export {0}/session --format csv --shard 1/2 --out {0}/shard");
         Run("export {0}/session --format csv --shard 2/2 --out {0}/shard2");
         Directory.CreateDirectory(_folder.PathOf("maps"));

@@ -1,4 +1,5 @@
 using Harvester.Exports.Formats;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -29,10 +30,25 @@ public sealed class FuzzCoverageTests
     }
 
     [Fact]
+    public void Every_channel_with_files_has_one_to_damage()
+    {
+        string[] files = [.. FuzzKind.All.Select(kind => kind.File)];
+
+        Assert.All(
+            FrameChannels.All.Where(channel => channel.Switch is not null && channel.Folders.Count > 0),
+            channel =>
+                Assert.Contains(
+                    files,
+                    file => channel.Folders.Any(folder => file.StartsWith($"session/{folder}/", StringComparison.Ordinal))
+                )
+        );
+    }
+
+    [Fact]
     public void Every_export_format_has_files_to_damage()
     {
         string[] folders = [.. FuzzKind.All.Select(kind => kind.File.Split('/')[0])];
 
-        Assert.Empty(DatasetFormats.All.Select(format => format.Name).Except(folders));
+        Assert.Empty(DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name).Except(folders));
     }
 }

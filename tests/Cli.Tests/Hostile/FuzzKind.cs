@@ -12,6 +12,7 @@ using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
+using Harvester.Runs.Scenarios;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
@@ -71,7 +72,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "roads paint {0}/session --out {0}/out.csv",
                 MapOfSession,
                 "pairs {0}/session --format csv --out {0}/out",
-                .. DatasetFormats.All.Select(format => Export(format.Name)),
+                .. DatasetFormats.All.Where(format => format.Program is null).Select(format => Export(format.Name)),
             ]
         ),
         new(
@@ -94,6 +95,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "repair {0}/session --out {0}/out",
             "masks import {0}/session {0}/maps",
             Export("csv")
+        ),
+        new(
+            "events",
+            "eventful/events.jsonl",
+            ReadEvents,
+            "validate {0}/eventful",
+            "validate {0}/eventful --schema --quick",
+            "stats {0}/eventful",
+            "repair {0}/eventful --out {0}/out"
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
         Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
@@ -125,6 +135,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "validate {0}/session",
                 Relabel
             )),
+        new("depth", "session/depth/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
         new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel, Export("kitti-flow")),
         new(
             "flow-flags",
@@ -147,6 +158,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("dataset-manifest", "csv", "manifest.jsonl"),
         Dataset("csv-frames", "csv", "frames.csv"),
         Dataset("csv-objects", "csv", "objects.csv"),
+        Dataset("parquet-frames", "parquet", "frames.parquet"),
+        Dataset("parquet-objects", "parquet", "objects.parquet"),
         Dataset("coco", "coco", "annotations/instances_train.json"),
         Dataset("panoptic", "coco-panoptic", "annotations/panoptic_train.json"),
         Dataset("keypoints", "coco-keypoints", "annotations/person_keypoints_train.json"),
@@ -205,6 +218,12 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "scenario show {0}/scenario.json",
             "scenario export {0}/scenario.json --out {0}/out.xosc",
             "plan check {0}/staged.json"
+        ),
+        new(
+            "open-scenario",
+            "scenario.xosc",
+            folder => OpenScenarioReader.Read(InputFile.ReadAllText(In(folder, "scenario.xosc")), "fuzz"),
+            "scenario import {0}/scenario.xosc --out {0}/out.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),

@@ -12,7 +12,7 @@ internal static class FuzzMakers
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
         .. DatasetFormats
-            .All.Where(format => !format.HasMap && format.Name is not ("coco-keypoints" or "jta"))
+            .All.Where(format => !format.HasMap && format.Program is null && format.Name is not ("coco-keypoints" or "jta"))
             .Select(format => $"export {{0}}/session --format {format.Name} --out {{0}}/{format.Name}"),
         "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 "
             + "--no-report",
@@ -20,15 +20,11 @@ internal static class FuzzMakers
         .. DatasetFormats
             .All.Where(format => format.HasMap)
             .Select(format => $"export {{0}}/moving --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
+        "harvest --out {0}/eventful --frames 2 --hz 10 --places 1 --events --roads {0}/straight.csv --seed 5 --size 64x48 --no-report",
         "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
-    /// <summary>
-    /// The options with which a harvest has flow, an inertial unit, and the maps of all channels that are one image for each frame.
-    /// </summary>
+    /// <summary>The options with which a harvest has the files of all channels that are switched on by their names.</summary>
     public static string MapOptions { get; } =
-        string.Join(
-            " ",
-            FrameChannels.All.Where(channel => channel is MapChannel or FlowChannel or ImuChannel).Select(channel => channel.Switch!.Option)
-        );
+        string.Join(" ", FrameChannels.All.Select(channel => channel.Switch?.Option).OfType<string>());
 }

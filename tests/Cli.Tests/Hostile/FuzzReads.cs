@@ -11,6 +11,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Reports.Viewing;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
@@ -30,6 +31,16 @@ internal static class FuzzReads
         ValidateSession(folder);
         SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
         ViewFrames(folder);
+    }
+
+    public static void ReadEvents(string folder)
+    {
+        var session = new SessionReader(In(folder, "eventful"));
+        SessionValidator.Validate(session, isQuick: true);
+        foreach (DrivingEvent happened in session.ReadEvents())
+        {
+            EventCheck.FirstProblem(happened);
+        }
     }
 
     public static void ReadRoadsOfSession(string folder)

@@ -11,6 +11,19 @@ internal static class FuzzTexts
         + "line,0,0,100,4.1,4.1,dashed,white,0.15,3,9,1.5,0.02,2\n"
         + "mark,stopLine,0.05,4,0.3,-10,30,4.8,-10,30,4.8,-9.5,30,0.3,-9.5,30\nend,1,2,1\n";
 
+    /// <summary>Events of road users that are in no label.</summary>
+    public static string Events { get; } =
+        string.Concat(
+            Event(1, "hardBraking", Participant("null", "null"), "\"deceleration\":6,\"speedBefore\":8,\"speedAfter\":5"),
+            Event(2, "offRoad", Participant("1000", "\"truck\""), "\"fromRoad\":3.5,\"speed\":5"),
+            Event(
+                3,
+                "cutIn",
+                Participant("1001", "\"car\"") + "," + Participant("null", "null"),
+                "\"gap\":5,\"timeGapSeconds\":1,\"closingSpeed\":-0.5"
+            )
+        );
+
     private static readonly (string Name, string Content)[] All =
     [
         ("survey/spaces.csv", "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n"),
@@ -121,6 +134,48 @@ internal static class FuzzTexts
             """
         ),
         (
+            "scenario.xosc",
+            """
+            <?xml version="1.0" encoding="utf-8"?>
+            <OpenSCENARIO>
+              <FileHeader revMajor="1" revMinor="2" date="2000-01-01T00:00:00" description="fuzz (cutIn): A cut-in." author="a" />
+              <Entities>
+                <ScenarioObject name="Ego"><Vehicle name="car" vehicleCategory="car" /></ScenarioObject>
+                <ScenarioObject name="a"><Vehicle name="car" vehicleCategory="van"><Properties>
+                  <Property name="gtaModel" value="car" /></Properties></Vehicle></ScenarioObject>
+              </Entities>
+              <Storyboard>
+                <Init><Actions>
+                  <Private entityRef="Ego"><PrivateAction><LongitudinalAction><SpeedAction>
+                    <SpeedActionDynamics dynamicsShape="step" dynamicsDimension="time" value="0" />
+                    <SpeedActionTarget><AbsoluteTargetSpeed value="9" /></SpeedActionTarget>
+                  </SpeedAction></LongitudinalAction></PrivateAction></Private>
+                  <Private entityRef="a"><PrivateAction><TeleportAction><Position>
+                    <RelativeLanePosition entityRef="Ego" dLane="1" ds="14.5" offset="0"><Orientation type="relative" h="0" />
+                    </RelativeLanePosition></Position></TeleportAction></PrivateAction></Private>
+                </Actions></Init>
+                <Story name="s"><Act name="t"><ManeuverGroup name="g" maximumExecutionCount="1">
+                  <Actors selectTriggeringEntities="false"><EntityRef entityRef="a" /></Actors>
+                  <Maneuver name="m"><Event name="in" priority="override" maximumExecutionCount="1">
+                    <Action name="c"><PrivateAction><LateralAction><LaneChangeAction>
+                      <LaneChangeActionDynamics dynamicsShape="sinusoidal" dynamicsDimension="time" value="2" />
+                      <LaneChangeTarget><RelativeTargetLane entityRef="Ego" value="0" /></LaneChangeTarget>
+                    </LaneChangeAction></LateralAction></PrivateAction></Action>
+                    <StartTrigger><ConditionGroup><Condition name="n" delay="0.5" conditionEdge="none"><ByEntityCondition>
+                      <TriggeringEntities triggeringEntitiesRule="any"><EntityRef entityRef="Ego" /></TriggeringEntities>
+                      <EntityCondition><RelativeDistanceCondition entityRef="a" relativeDistanceType="euclidianDistance"
+                        freespace="false" rule="lessOrEqual" value="20" /></EntityCondition>
+                    </ByEntityCondition></Condition></ConditionGroup></StartTrigger>
+                  </Event></Maneuver>
+                </ManeuverGroup></Act></Story>
+                <StopTrigger><ConditionGroup><Condition name="end" delay="0" conditionEdge="none"><ByValueCondition>
+                  <SimulationTimeCondition rule="greaterOrEqual" value="9" /></ByValueCondition></Condition></ConditionGroup></StopTrigger>
+              </Storyboard>
+            </OpenSCENARIO>
+
+            """
+        ),
+        (
             "scenario.json",
             """
             {"name": "fuzz", "kind": "cutIn", "parameters": {"gap": {"min": 10, "max": 20}, "speed": [8, 10], "late": 2},
@@ -178,4 +233,13 @@ internal static class FuzzTexts
 
         File.WriteAllBytes(Path.Combine(folder, "a.tape"), TapeBytes.Of(TapeBytes.Every));
     }
+
+    private static string Event(int id, string kind, string participants, string measures) =>
+        $"{{\"id\":{id},\"kind\":\"{kind}\",\"beginSeconds\":0.5,\"peakSeconds\":0.6,\"endSeconds\":0.7,\"end\":\"over\","
+        + $"\"firstFrame\":null,\"lastFrame\":null,\"participants\":[{participants}],\"measures\":{{{measures}}}}}\n";
+
+    /// <summary>One that drives north at 5 m/s.</summary>
+    private static string Participant(string id, string kind) =>
+        $"{{\"object\":{id},\"class\":{kind},\"model\":\"blista\",\"position\":[0,0,0],\"right\":[1,0,0],\"forward\":[0,1,0],"
+        + "\"up\":[0,0,1],\"modelMin\":[-1,-2,0],\"modelMax\":[1,2,1],\"velocity\":[0,5,0],\"yawRate\":0}";
 }

@@ -67,6 +67,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         "harvest --out {inputs}/lines --frames 1 --size 320x240 --seed 5 --roads {inputs}/roads.csv",
         $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
         "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {inputs}/gpudrive",
+        "scenario export {inputs}/scenario.json --out {inputs}/scenario.xosc",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -111,6 +112,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/scenario.json"],
             IsKilled = true,
         },
+        new("scenario-export", "scenario export {inputs}/scenario.json --out {root}/scenario.xosc"),
+        new("scenario-import", "scenario import {inputs}/scenario.xosc --out {root}/scenario.json"),
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
@@ -133,6 +136,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-parquet", "export {inputs}/session --format parquet --out {root}/out"),
         new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
         new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
         new("log-import", "log import {inputs}/gpudrive/train/0000_0000.json --out {root}/out"),
@@ -161,7 +165,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above")
         {
             Only = ["above/depth-completed/", "above/session.json"],
-            IsKilled = true,
         },
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),

@@ -1,5 +1,6 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
@@ -28,6 +29,29 @@ public sealed class SessionStatisticsTests : IDisposable
         Assert.Null(statistics.Classes[ObjectClass.Pedestrian].MeanOccludedFraction);
         Assert.Equal(["clear"], statistics.Weathers);
     }
+
+    [Fact]
+    public void Events_are_counted_where_they_open()
+    {
+        // A near miss that lasts for two frames, and a collision in the third.
+        string[] marks =
+        [
+            """[{"id": 1, "kind": "nearMiss"}]""",
+            """[{"id": 1, "kind": "nearMiss"}]""",
+            """[{"id": 2, "kind": "collision"}]""",
+        ];
+        for (int frame = 0; frame < marks.Length; frame++)
+        {
+            _session.Lines[frame]["events"] = JsonNode.Parse(marks[frame]);
+        }
+
+        SessionStatistics statistics = SessionStatistics.Of(_session.Open().ReadLabels());
+
+        Assert.Equal([(EventKind.NearMiss, 1), (EventKind.Collision, 1)], statistics.Events!.Select(each => (each.Key, each.Value)));
+    }
+
+    [Fact]
+    public void Session_without_events_has_no_counts() => Assert.Null(SessionStatistics.Of(_session.Open().ReadLabels()).Events);
 
     [Fact]
     public void Of_a_session_counts_KITTI_labels_and_parts_separately()

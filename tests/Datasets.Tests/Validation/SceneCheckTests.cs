@@ -1,6 +1,7 @@
 using Harvester.Datasets.Validation;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenarios;
 using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
@@ -60,7 +61,8 @@ public sealed class SceneCheckTests : IDisposable
     [InlineData(FramePaths.Roads, "node,1,0,0\n", "line 1")]
     [InlineData(FramePaths.Roads, "\u0089PNG", "line 1")]
     [InlineData(FramePaths.Faces, "# faces\nprop_sign_road_01a,0\n", "line 2, row")]
-    public void Validate_finds_unreadable_roads_and_faces(string name, string content, string place)
+    [InlineData(ScenarioRecord.FileName, "{\n\"seed\": 1,}\n", "invalid JSON at line 2")]
+    public void Validate_finds_unreadable_roads_faces_and_scenarios(string name, string content, string place)
     {
         File.WriteAllText(Path.Combine(_folder, name), content);
 

@@ -44,6 +44,27 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     }
 
     [Theory]
+    [InlineData("0,0,1,nearMiss", null)]
+    [InlineData("0,0,2,wrongWay", null)]
+    [InlineData("70,0,1,nearMiss", "frame 70 is not in frames.csv.")]
+    [InlineData("0,0,0,nearMiss", "'0' is not the number of an event.")]
+    [InlineData("0,0,x,nearMiss", "event is not a number.")]
+    [InlineData("0,0,1,crash", "'crash' is not a kind of event.")]
+    public void Events_are_checked(string row, string? expected)
+    {
+        Export();
+        File.WriteAllText(Folder.PathOf("out/events.csv"), $"frame,session,event,kind\n{row}\n");
+        if (expected is null)
+        {
+            Assert.DoesNotContain(Problems(), problem => problem.StartsWith("events.csv, line", StringComparison.Ordinal));
+        }
+        else
+        {
+            AssertFound($"events.csv, line 2: {expected}");
+        }
+    }
+
+    [Theory]
     [InlineData("frames.csv", "frames.csv: it is missing.")]
     [InlineData("objects.csv", "objects.csv: it is missing.")]
     [InlineData("images/00000002.png", "frames.csv, line 4: its image 'images/00000002.png' is missing.")]

@@ -100,8 +100,8 @@ internal static class ScenarioOracle
             : RunsInto(trace.Of("follower")) ? null
             : "the follower did not run into the ego",
         ["pileUpAhead"] = (trace, _) =>
-            Blocks(trace, "first")
-            ?? Blocks(trace, "second")
+            Blocks(trace, "first", PileTouched(trace))
+            ?? Blocks(trace, "second", PileTouched(trace))
             ?? (
                 trace.Of("first")[^1].Ahead - trace.Of("leader")[^1].Ahead < 7 && trace.Of("leader")[^1].Speed < Standing
                     ? null
@@ -203,8 +203,20 @@ internal static class ScenarioOracle
         First(follower, at => at.Ahead < 0 && Math.Abs(at.Right) < InLane && at.Gap < 0.4) is { } touch
         && follower.Any(at => at.Seconds < touch.Seconds && at.Seconds > touch.Seconds - 0.5 && at.Speed > at.EgoSpeed + 1);
 
-    private static string? Blocks(SceneTrace trace, string id) =>
-        trace.Of(id).All(at => at.Speed < Standing && Math.Abs(at.Right) < 1.5) && trace.Of(id).Min(at => at.Gap) < 15
+    /// <summary>When the vehicle ahead is at the crashed cars, which it then pushes.</summary>
+    private static double PileTouched(SceneTrace trace) =>
+        trace
+            .Of("leader")
+            .Zip(trace.Of("first"))
+            .Where(each => each.Second.Ahead - each.First.Ahead < 7)
+            .Select(each => each.First.Seconds)
+            .DefaultIfEmpty(double.PositiveInfinity)
+            .First();
+
+    /// <summary>Stands in the lane, until a moment whatever happens afterwards, and the ego comes near.</summary>
+    private static string? Blocks(SceneTrace trace, string id, double until = double.PositiveInfinity) =>
+        trace.Of(id).Where(at => at.Seconds < until).All(at => at.Speed < Standing && Math.Abs(at.Right) < 1.5)
+        && trace.Of(id).Min(at => at.Gap) < 15
             ? null
             : $"'{id}' does not block the lane before the ego";
 

@@ -13,23 +13,27 @@ internal sealed record StagedRecording(IReadOnlyList<SeenMoment> Moments, Scenar
 {
     private const double TickSeconds = 1.0 / 30;
 
+    /// <summary>Traffic farther away stands still, metres: it takes most of the time, and the scenario clears 150 m around the ego.</summary>
+    private const double TrafficRadius = 250;
+
     public static StagedRecording Of(ScenarioTemplate template, int seed, RoadNetwork? roads = null, bool isBlind = false)
     {
-        StagedRun staged = StagedRun.Bind(new PlannedScenario(template, seed) { IsEgoBlind = isBlind }, roads, seed, near: null);
-        var game = new SimulatedGame(
-            staged.Options(
-                new SimulationOptions
-                {
-                    Seed = seed,
-                    Roads = roads,
-                    IsWarm = true,
-                    TrafficDensity = 0.5,
-                    ParkedDensity = 0.5,
-                    PedestrianDensity = 0.5,
-                }
-            )
+        StagedRun staged = StagedRun.Begin(
+            new PlannedScenario(template, seed) { IsEgoBlind = isBlind },
+            new SimulationOptions
+            {
+                Seed = seed,
+                Roads = roads,
+                IsWarm = true,
+                TrafficDensity = 0.5,
+                ParkedDensity = 0.5,
+                PedestrianDensity = 0.5,
+                HasCrashes = true,
+                TrafficRadiusMetres = TrafficRadius,
+            },
+            near: null
         );
-        staged.Begin(game);
+        SimulatedGame game = staged.Game;
         Dictionary<int, string> names = staged.Record!.Handles.ToDictionary(each => each.Value, each => each.Key);
         var moments = new List<SeenMoment>();
         double began = game.Shown.TimeSeconds;
@@ -48,7 +52,7 @@ internal sealed record StagedRecording(IReadOnlyList<SeenMoment> Moments, Scenar
                         )
                 )
             );
-            staged.Tick(game);
+            staged.Tick();
             game.Tick(TickSeconds);
         }
 

@@ -1,5 +1,6 @@
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.Events;
 
@@ -35,10 +36,20 @@ internal sealed class EventOracle
         }
     }
 
-    public List<TrueEvent> Find()
+    /// <summary>All events.</summary>
+    /// <param name="site">The town.</param>
+    /// <param name="seed">Its seed.</param>
+    public List<TrueEvent> Find(Site site, int seed)
     {
+        var roads = new RoadOracle(site, seed, _moments, (handle, tick) => _since[(handle, tick)]);
         _collisions.AddRange(Joined(EventKind.Collision, Collisions()));
-        return [.. _collisions, .. Joined(EventKind.NearMiss, NearMisses()), .. Joined(EventKind.HardBraking, Brakings())];
+        return
+        [
+            .. _collisions,
+            .. Joined(EventKind.NearMiss, NearMisses()),
+            .. Joined(EventKind.HardBraking, Brakings()),
+            .. RoadOracle.Kinds.SelectMany(kind => Joined(kind, roads.Ticks(kind))),
+        ];
     }
 
     private bool IsSameAsBefore(int handle, int tick)

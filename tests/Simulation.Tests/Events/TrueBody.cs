@@ -45,6 +45,15 @@ internal sealed record TrueBody(ObjectClass Class, Pose Pose, Vector3D Min, Vect
     /// <summary>Its footprint.</summary>
     public (double X, double Y)[] Polygon() => Polygon(Pose.Position.X, Pose.Position.Y, Bearing);
 
+    /// <summary>Middle of its footprint, metres.</summary>
+    public (double X, double Y) Middle() => Between(Polygon(), 0, 2);
+
+    /// <summary>Middle of its front (1) or rear (-1), metres.</summary>
+    public (double X, double Y) End(int which) => which > 0 ? Between(Polygon(), 0, 3) : Between(Polygon(), 1, 2);
+
+    private static (double X, double Y) Between((double X, double Y)[] corners, int a, int b) =>
+        ((corners[a].X + corners[b].X) / 2, (corners[a].Y + corners[b].Y) / 2);
+
     /// <summary>Its lowest and greatest height, by its eight corners, metres.</summary>
     public (double Low, double High) Heights()
     {

@@ -18,11 +18,12 @@ internal static class ScenarioCommand
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("scenario", "Check, show and stage situations in traffic.");
+        var command = new Command("scenario", "Check, show, stage and exchange situations in traffic.");
         command.Subcommands.Add(ScenarioCheckCommand.Create(terminal));
         command.Subcommands.Add(ScenarioShowCommand.Create(terminal));
         command.Subcommands.Add(ScenarioRunCommand.Create(terminal));
         command.Subcommands.Add(ScenarioExportCommand.Create(terminal));
+        command.Subcommands.Add(ScenarioImportCommand.Create(terminal));
         HelpWithNotes.AddTo(command, Notes);
         return command;
     }

@@ -62,8 +62,13 @@ internal sealed class ScenarioRunCommand
             DefaultValueFactory = _ => "on",
         };
 
-    private Option<bool> Crashes { get; } =
-        new("--crashes") { Description = "Let vehicles brake only as hard as tyres allow, and collide; otherwise they stop at once" };
+    private Option<string> Crashes { get; } =
+        new("--crashes")
+        {
+            Description = "Whether vehicles brake only as hard as tyres allow, and collide; with off they stop at once",
+            HelpName = "on|off",
+            DefaultValueFactory = _ => "on",
+        };
 
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
     private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
@@ -159,15 +164,7 @@ internal sealed class ScenarioRunCommand
         CancellationToken cancellation
     )
     {
-        var planned = new PlannedScenario(template, seed)
-        {
-            IsEgoBlind = parsed.GetRequiredValue(Brake) switch
-            {
-                "on" => false,
-                "off" => true,
-                var other => throw new UsageException($"--brake takes on or off, not '{other}'."),
-            },
-        };
+        var planned = new PlannedScenario(template, seed) { IsEgoBlind = !IsOn(parsed, Brake) };
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         HarvestPlan ordinary = ScenarioHarvest.Of(
             planned,
@@ -186,7 +183,7 @@ internal sealed class ScenarioRunCommand
         );
         HarvestPlan plan = ordinary with
         {
-            Variety = ordinary.Variety with { HasCrashes = parsed.GetValue(Crashes) },
+            Variety = ordinary.Variety with { HasCrashes = IsOn(parsed, Crashes) },
             Overwrite = parsed.GetValue(Overwrite),
             Resume = parsed.GetValue(Resume),
             Weather = Moment.Weather(parsed),
@@ -202,6 +199,14 @@ internal sealed class ScenarioRunCommand
             cancellation
         );
     }
+
+    private static bool IsOn(ParseResult parsed, Option<string> option) =>
+        parsed.GetRequiredValue(option) switch
+        {
+            "on" => true,
+            "off" => false,
+            var other => throw new UsageException($"{option.Name} takes on or off, not '{other}'."),
+        };
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)
     {

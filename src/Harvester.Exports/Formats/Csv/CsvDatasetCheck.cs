@@ -3,9 +3,11 @@ using CsvHelper;
 using CsvHelper.Configuration;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Exports.Formats.Csv;
 
@@ -24,6 +26,8 @@ internal sealed class CsvDatasetCheck
     /// <summary>Limit of a field, more than a hundred times the length of names and paths.</summary>
     private const int MaxFieldCharacters = 1 << 16;
 
+    private static readonly string[] EventKinds = [.. Enum.GetValues<EventKind>().Select(JsonName.Of)];
+
     private static readonly string[] Texts =
     [
         "split",
@@ -39,6 +43,7 @@ internal sealed class CsvDatasetCheck
         "reason",
         "driver",
         "route",
+        "kind",
     ];
 
     private readonly DatasetContent _dataset;
@@ -194,7 +199,7 @@ internal sealed class CsvDatasetCheck
     private string? EventProblem(Dictionary<string, string> row) =>
         !_sizes.ContainsKey(row["frame"]) ? $"frame {row["frame"]} is not in {Frames}."
         : !(Number(row["event"]) >= 1) ? $"'{row["event"]}' is not the number of an event."
-        : row["kind"].Length == 0 ? "the event has no kind."
+        : !EventKinds.Contains(row["kind"]) ? $"'{row["kind"]}' is not a kind of event."
         : null;
 
     /// <summary>Unknown values are empty fields.</summary>

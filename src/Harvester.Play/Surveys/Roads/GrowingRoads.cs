@@ -51,6 +51,9 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     /// <inheritdoc/>
     public IEnumerable<PaintedLine> Near(Vector3D place, double range) => _paint?.Near(place, range) ?? [];
 
+    /// <inheritdoc/>
+    public IEnumerable<PaintedMark> StopLinesNear(Vector3D place, double range) => _paint?.StopLinesNear(place, range) ?? [];
+
     /// <summary>Why the last roads could not be prepared; returned once. The earlier roads stay in use. Null if nothing failed.</summary>
     public Exception? TakeFailure()
     {
