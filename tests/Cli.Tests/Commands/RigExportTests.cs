@@ -86,6 +86,20 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
         Assert.Contains(problem, run.Out, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Cut_off_radar_file_of_nuscenes_is_found()
+    {
+        Export("nuscenes");
+        string file = Directory.EnumerateFiles(_folder.PathOf("out/samples/ahead"), "*.pcd").Order().First();
+        byte[] content = File.ReadAllBytes(file);
+        File.WriteAllBytes(file, content[..^44]);
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains("does not have the header of a radar and the points that it counts.", run.Out, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("sample_annotation", "num_lidar_pts\":([1-9])", "num_lidar_pts\":1$1", "points are inside its box.")]
     [InlineData("sample_annotation", "\"translation\":\\[[0-9]*", "\"translation\":[0", "its box is in no image of its sample.")]

@@ -67,7 +67,14 @@ internal sealed class NuScenesGeometryCheck(DatasetContent dataset, IReadOnlyDic
         var points = new List<Vector3D>();
         foreach (JsonFields scan in data.Where(record => record.Integer("width") == 0))
         {
-            points.AddRange(PointsOf(scan));
+            if (!NuScenesSensor.IsRadar(scan.Text("filename")))
+            {
+                points.AddRange(PointsOf(scan));
+            }
+            else if (RadarProblem(scan.Text("filename")) is { } problem)
+            {
+                yield return problem;
+            }
         }
 
         foreach (JsonFields annotation in _annotations[sample])
@@ -123,6 +130,12 @@ internal sealed class NuScenesGeometryCheck(DatasetContent dataset, IReadOnlyDic
                 )
             );
         }
+    }
+
+    private string? RadarProblem(string file)
+    {
+        byte[] content = InputFile.ReadAllBytes(dataset.PathOf(file), NuScenesRadar.MaxBytes);
+        return NuScenesRadar.IsWhole(content) ? null : $"{file} does not have the header of a radar and the points that it counts.";
     }
 
     private string? ShapeProblem(JsonFields annotation)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -13,6 +14,10 @@ internal static class NuScenesRadar
     /// <summary>Targets that are slower over the ground count as standing, m/s.</summary>
     private const double StandingSpeed = 0.1;
 
+    /// <summary>More than a radar of a rig detects.</summary>
+    public const int MaxBytes = 1_000_000;
+
+    private const int BytesPerPoint = 43;
     private const sbyte Moving = 0;
     private const sbyte Stationary = 1;
     private const sbyte Oncoming = 2;
@@ -22,6 +27,8 @@ internal static class NuScenesRadar
 
     /// <summary>The least probability of a false alarm.</summary>
     private const sbyte Sure = 1;
+
+    private static ReadOnlySpan<byte> Counted => "\nPOINTS "u8;
 
     /// <summary>Writes a file.</summary>
     public static void Write(Stream stream, RadarScan scan)
@@ -42,6 +49,21 @@ internal static class NuScenesRadar
 
         // That reader also asks for a byte after the last point.
         writer.Write((byte)'\n');
+    }
+
+    /// <summary>Whether a file has the header of this writer and as many points as that says.</summary>
+    public static bool IsWhole(ReadOnlySpan<byte> content)
+    {
+        // The header counts the points in the line before its last.
+        int at = content.IndexOf(Counted) + Counted.Length;
+        int end = at < Counted.Length ? -1 : content[at..].IndexOf((byte)'\n');
+        if (end < 0 || !int.TryParse(content.Slice(at, end), NumberStyles.None, CultureInfo.InvariantCulture, out int points))
+        {
+            return false;
+        }
+
+        byte[] header = Encoding.ASCII.GetBytes(HeaderOf(points));
+        return content.StartsWith(header) && content.Length == header.Length + ((long)points * BytesPerPoint) + 1;
     }
 
     private static string HeaderOf(int points) =>

@@ -27,8 +27,11 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     /// <summary>What kind of sensor it is, as the tables say.</summary>
     public string Modality =>
         IsCamera ? "camera"
-        : File.EndsWith(RadarExtension, StringComparison.Ordinal) ? "radar"
+        : IsRadar(File) ? "radar"
         : "lidar";
+
+    /// <summary>Whether a file is that of a radar.</summary>
+    public static bool IsRadar(string file) => file.EndsWith(RadarExtension, StringComparison.Ordinal);
 
     /// <summary>The sensor of a view.</summary>
     public static NuScenesSensor Of(RigCamera camera, CameraLabel label, string file)
