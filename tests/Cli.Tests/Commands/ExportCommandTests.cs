@@ -111,7 +111,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             .AssertFailed(
                 ExitCode.Usage,
                 $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, "
-                    + $"cityscapes, bdd100k, openlabel, imagefolder, csv."
+                    + $"cityscapes, bdd100k, openlabel, imagefolder, csv, parquet."
             );
 
     [Fact]
