@@ -17,7 +17,7 @@ public sealed class MapPart : FramePart
     /// <param name="method">Where its values come from.</param>
     /// <param name="raysCast">The rays cast for it alone.</param>
     public MapPart(MapChannel channel, PixelBuffer colours, SemanticsMethod method, int raysCast)
-        : this(channel, (stream, png) => png.Write(colours, stream), method, raysCast) { }
+        : this(channel, (stream, png) => png.Write(colours, stream), method, raysCast) => Colours = colours;
 
     /// <summary>A map of numbers.</summary>
     /// <param name="channel">The channel, of 8 or 16 bits per pixel.</param>
@@ -37,6 +37,9 @@ public sealed class MapPart : FramePart
 
     /// <summary>The channel.</summary>
     public MapChannel Channel { get; }
+
+    /// <summary>The map of a channel of colours; null for numbers.</summary>
+    public PixelBuffer? Colours { get; }
 
     /// <inheritdoc />
     protected override IReadOnlyList<FileContent> Contents { get; }

@@ -17,8 +17,8 @@ public sealed class StagedRun
     /// <summary>Nor is one as far ahead of an actor that parks, metres.</summary>
     private const double ParkingWay = 56;
 
-    /// <summary>So many places are tried where something stands in the way of an actor.</summary>
-    private const int MostPlaces = 8;
+    /// <summary>Number of places that are tried where something stands in the way of an actor.</summary>
+    private const int MaxPlaces = 8;
 
     private readonly PlannedScenario _planned;
     private ScenarioPlayer? _player;
@@ -53,7 +53,7 @@ public sealed class StagedRun
         var reasons = new Dictionary<string, int>(StringComparer.Ordinal);
         string? refusal = null;
         foreach (
-            BoundScenario bound in Places(planned, scenario, ScenarioTown.Of(options.Roads, options.Seed), near, reasons).Take(MostPlaces)
+            BoundScenario bound in Places(planned, scenario, ScenarioTown.Of(options.Roads, options.Seed), near, reasons).Take(MaxPlaces)
         )
         {
             var staged = new StagedRun(planned, bound);

@@ -71,8 +71,9 @@ public sealed class ParquetFieldTests(SimulatedSession simulated) : ExportTests
             ),
         ];
 
-        Assert.Empty(
-            SchemaLabels.Leaves.Where(leaf => !documented.Contains(leaf) && !documented.Contains(Regex.Replace(leaf, @"\[\]$", "")))
+        Assert.DoesNotContain(
+            SchemaLabels.Leaves,
+            leaf => !documented.Contains(leaf) && !documented.Contains(Regex.Replace(leaf, @"\[\]$", ""))
         );
     }
 

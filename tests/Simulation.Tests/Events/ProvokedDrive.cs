@@ -132,27 +132,26 @@ internal sealed class ProvokedDrive
     /// <exception cref="ScenarioUnfitException">It cannot happen in the town of the seed.</exception>
     public static ProvokedDrive Staged(ScenarioTemplate template, int seed, bool hasCrashes = false)
     {
-        var staged = StagedRun.Bind(new PlannedScenario(template, seed) { IsEgoBlind = hasCrashes }, null, seed, near: null);
-        var game = new SimulatedGame(
-            staged.Options(
-                new SimulationOptions
-                {
-                    Seed = seed,
-                    IsWarm = true,
-                    TrafficDensity = 0.5,
-                    ParkedDensity = 0.5,
-                    PedestrianDensity = 0.5,
-                    HasCrashes = hasCrashes,
-                }
-            )
+        StagedRun staged = StagedRun.Begin(
+            new PlannedScenario(template, seed) { IsEgoBlind = hasCrashes },
+            new SimulationOptions
+            {
+                Seed = seed,
+                IsWarm = true,
+                TrafficDensity = 0.5,
+                ParkedDensity = 0.5,
+                PedestrianDensity = 0.5,
+                HasCrashes = hasCrashes,
+            },
+            near: null
         );
-        staged.Begin(game);
+        SimulatedGame game = staged.Game;
         return Recorded(
             seed,
             game,
             () =>
             {
-                staged.Tick(game);
+                staged.Tick();
                 return !staged.IsOver;
             }
         );

@@ -158,7 +158,7 @@ public sealed class NormalsTests(ITestOutputHelper output)
             {
                 MapLabel label = frame.Label.Channels.Get<MapLabel>()!;
                 Assert.Equal(("normals/00000000.png", isExact ? SemanticsMethod.Exact : SemanticsMethod.Rays), (label.File, label.Method));
-                judge(frame.Part<MapPart>()!.Map, frame.Label.Camera.ToCamera(), game.Render(Image));
+                judge(frame.Part<MapPart>()!.Colours!, frame.Label.Camera.ToCamera(), game.Render(Image));
             }
         );
     }
