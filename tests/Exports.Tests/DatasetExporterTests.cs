@@ -15,7 +15,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 {
     internal static readonly ExportOptions TwoSplits = new() { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
 
-    public static TheoryData<string> Formats => [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
+    public static TheoryData<string> Formats =>
+        [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
 
     /// <summary>Two splits of one session's frames; one where the session stays whole.</summary>
     internal static ExportOptions SplitsOf(string format) => DatasetFormats.Find(format)!.KeepsSequences ? new ExportOptions() : TwoSplits;

@@ -11,7 +11,8 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
 {
     private const string Readme = "out/README.md";
 
-    public static TheoryData<string> Formats => [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
+    public static TheoryData<string> Formats =>
+        [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
 
     [Theory]
     [MemberData(nameof(Formats))]

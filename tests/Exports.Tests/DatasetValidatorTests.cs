@@ -8,7 +8,8 @@ namespace Harvester.Exports.Tests;
 [Collection(SimulatedSession.Collection)]
 public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTests
 {
-    public static TheoryData<string> Formats => [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
+    public static TheoryData<string> Formats =>
+        [.. DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name)];
 
     [Theory]
     [MemberData(nameof(Formats))]

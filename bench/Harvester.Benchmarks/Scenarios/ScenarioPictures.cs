@@ -10,7 +10,7 @@ namespace Harvester.Benchmarks.Scenarios;
 internal static class ScenarioPictures
 {
     private const double TickSeconds = 0.05;
-    private const int MostSeeds = 10;
+    private const int MaxSeeds = 10;
 
     /// <summary>Writes NAME.svg for each scenario.</summary>
     /// <param name="folder">Folder of scenario files; plans in it are left out.</param>
@@ -47,7 +47,7 @@ internal static class ScenarioPictures
                 near: null
             );
             var drawing = new ScenarioDrawing(staged.Bound, [.. Bodies(staged)]);
-            if (drawing.ShowsEgo || i + 1 == MostSeeds)
+            if (drawing.ShowsEgo || i + 1 == MaxSeeds)
             {
                 return drawing;
             }

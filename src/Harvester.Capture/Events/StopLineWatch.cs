@@ -75,7 +75,7 @@ internal sealed class StopLineWatch : IEventWatch
 
         if (line.HasStopSign && approach.First <= -EventRules.SeenMetres && slowest >= EventRules.StandingSpeed)
         {
-            Begin(EventKind.StopSignRun, new(EventMeasures.Speed, speed), new(EventMeasures.LeastSpeed, slowest));
+            Begin(EventKind.StopSignRun, new(EventMeasures.Speed, speed), new(EventMeasures.MinSpeed, slowest));
         }
 
         void Begin(EventKind kind, params KeyValuePair<string, double?>[] measures)

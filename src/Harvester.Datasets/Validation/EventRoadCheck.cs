@@ -77,13 +77,13 @@ internal static class EventRoadCheck
             yield return "speed is not the participant's horizontal speed.";
         }
 
-        double? least = happened.Measure(EventMeasures.LeastSpeed);
+        double? least = happened.Measure(EventMeasures.MinSpeed);
         double? from = happened.Measure(EventMeasures.FromRoad);
         string? problem = happened.Kind switch
         {
             EventKind.RedLightRun => happened.Measure(EventMeasures.Red) is < 0 ? "redSeconds is negative." : null,
             EventKind.StopSignRun => !(least >= Standing - Rounding && least <= speed + Rounding)
-                ? FormattableString.Invariant($"leastSpeed must be from {Standing} m/s to speed.")
+                ? FormattableString.Invariant($"minSpeed must be from {Standing} m/s to speed.")
                 : null,
             EventKind.OffRoad => speed < OffRoad - Rounding || from is < Shoulder - Rounding or > Beside + Rounding
                 ? FormattableString.Invariant($"speed must be at least {OffRoad} m/s, and fromRoad from {Shoulder} to {Beside} m.")

@@ -96,7 +96,7 @@ internal static class JunctionTracks
     }
 
     /// <summary>
-    /// Whether a way leads across the ego's, from its side to the other: who turns right does not, and neither do two roads that become one.
+    /// Whether a way leads across the ego's, from its side to the other: who turns right does not, nor do two roads that become one.
     /// </summary>
     private static bool LeadsAcross(StagePlace place, LaneTrack track, double meeting, ScenarioApproach approach, MapTurn turn)
     {

@@ -12,7 +12,7 @@ internal static class WayCurve
     public const double CarRadius = 3.8;
 
     /// <summary>Lengths of end tangents that are tried where a way is too tight, as fractions of its chord.</summary>
-    private const double LeastTangent = 0.3;
+    private const double MinTangent = 0.3;
     private const double GreatestTangent = 2.7;
     private const double TangentStep = 0.15;
 
@@ -35,9 +35,9 @@ internal static class WayCurve
         if (radius < CarRadius)
         {
             // Where the ends lie unevenly before and behind the bend: the pair of lengths with the widest bend.
-            for (double first = LeastTangent; first <= GreatestTangent; first += TangentStep)
+            for (double first = MinTangent; first <= GreatestTangent; first += TangentStep)
             {
-                for (double last = LeastTangent; last <= GreatestTangent; last += TangentStep)
+                for (double last = MinTangent; last <= GreatestTangent; last += TangentStep)
                 {
                     var curve = new HermiteCurve(start, end, leaving * (first * chord), arriving * (last * chord));
                     double its = LeastRadius(curve);

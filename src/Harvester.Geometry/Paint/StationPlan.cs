@@ -9,7 +9,7 @@ namespace Harvester.Geometry.Paint;
 public sealed class StationPlan
 {
     /// <summary>Distance ahead below which a picture is placed above the row itself, metres.</summary>
-    private const double LeastAhead = 1;
+    private const double MinAhead = 1;
 
     /// <summary>Links that are followed ahead: more than lie in half of a picture.</summary>
     private const int MaxLinks = 100;
@@ -105,7 +105,7 @@ public sealed class StationPlan
     /// <summary>The station farthest ahead from which a strip at a row is shown; in a bend that is not half of the footprint.</summary>
     private SurveyStation StationFor(int link, int row, int strip, bool isForward)
     {
-        for (double ahead = _footprint.HalfAlong - PaintRow.Length; ahead > LeastAhead; ahead /= 2)
+        for (double ahead = _footprint.HalfAlong - PaintRow.Length; ahead > MinAhead; ahead /= 2)
         {
             SurveyStation station = Ahead(link, row, strip, isForward, ahead);
             if (_strips.IsShownFrom(station, link, row, strip))

@@ -18,13 +18,13 @@ public sealed class ScenarioTown
 
     /// <summary>Places are tried along each lane at this distance, and no more than so many of them.</summary>
     private const double Spacing = 9;
-    private const int MostPlaces = 3000;
+    private const int MaxPlaces = 3000;
 
     /// <summary>Distance of a place from one at which something stood in the way, metres.</summary>
     private const double Apart = 60;
 
     /// <summary>Around so many nodes of a large network places are looked for, one after another.</summary>
-    private const int MostRegions = 60;
+    private const int MaxRegions = 60;
 
     /// <summary>A network of more nodes than a town is looked at in regions.</summary>
     private const int TownNodes = 2000;
@@ -95,7 +95,7 @@ public sealed class ScenarioTown
         {
             (Vector3D Position, Vector3D Direction)[] places = [.. PlacesOn(map)];
             random.Shuffle(places);
-            foreach ((Vector3D position, Vector3D direction) in places.Take(MostPlaces))
+            foreach ((Vector3D position, Vector3D direction) in places.Take(MaxPlaces))
             {
                 if (before.Exists(other => (other - position).Length < Apart))
                 {
@@ -124,7 +124,7 @@ public sealed class ScenarioTown
         }
 
         RoadNode[] nodes = [.. Network.Nodes.Where(node => PlaceNeeds.MayBeNear(needs, node))];
-        for (int i = 0; i < MostRegions && nodes.Length > 0; i++)
+        for (int i = 0; i < MaxRegions && nodes.Length > 0; i++)
         {
             yield return MapAround(Ground(nodes[random.Next(nodes.Length)].Position));
         }

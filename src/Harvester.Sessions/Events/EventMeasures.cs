@@ -34,7 +34,7 @@ public static class EventMeasures
     public const string Red = "redSeconds";
 
     /// <summary>Least horizontal speed before the stop line, m/s.</summary>
-    public const string LeastSpeed = "leastSpeed";
+    public const string MinSpeed = "minSpeed";
 
     /// <summary>Distance from the nearest lane, metres.</summary>
     public const string FromRoad = "fromRoad";

@@ -139,7 +139,7 @@ public class RoadEventTests
 
         DrivingEvent[] runs = [.. events.Where(each => each.Kind == EventKind.StopSignRun)];
         Assert.Equal(isRun ? 1 : 0, runs.Length);
-        Assert.All(runs, run => Assert.Equal(slowest, run.Measure(EventMeasures.LeastSpeed)));
+        Assert.All(runs, run => Assert.Equal(slowest, run.Measure(EventMeasures.MinSpeed)));
     }
 
     /// <summary>Drives to the north at 10 m/s.</summary>

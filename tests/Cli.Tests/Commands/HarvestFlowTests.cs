@@ -33,6 +33,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Shards_merge_to_the_bytes_of_a_whole_session()
     {
         string whole = Harvest("whole", "--frames", "6", "--places", "2");
@@ -46,6 +47,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Resumed_session_has_the_bytes_of_a_whole_one()
     {
         string whole = Harvest("whole", "--frames", "6", "--places", "2");
@@ -134,6 +136,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Numbers_of_a_map_are_those_of_the_docs()
     {
         string session = Harvest("session", "--frames", "2", "--places", "1");

@@ -12,6 +12,7 @@ public sealed class HarvestImuTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Shards_and_resumed_sessions_have_the_noise_of_a_whole_one()
     {
         string[] frames = ["--frames", "4", "--places", "2", "--imu-noise", "adis16448"];

@@ -35,7 +35,7 @@ public sealed class ScenarioCommandTests : IDisposable
     }
 
     [Fact]
-    public void Commands_that_derive_sessions_keep_the_scenario_and_validate_guards_it()
+    public void Derived_sessions_keep_the_scenario_and_validate_guards_it()
     {
         File.WriteAllText(File1, WritingCommand.Scenario);
         string session = _folder.PathOf("out");

@@ -13,7 +13,7 @@ namespace Harvester.Cli.Tests.Repetition;
 [Trait("Category", "Heavy")]
 public sealed class KilledCommandTests : IDisposable
 {
-    private const int DefaultStops = 60;
+    private const int DefaultStops = 20;
     private const int DefaultSeed = 20260101;
     private const int Threads = 10;
 

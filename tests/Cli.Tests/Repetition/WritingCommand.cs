@@ -20,6 +20,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         Words.Split(' ')[0] is "harvest" or "counterfactual" or "drive" or "serve" or "contact-sheet" or "plan"
         || Words.StartsWith("roads photograph", StringComparison.Ordinal);
 
+    /// <summary>Whether others are variants of it: they write through the same code, and to other files.</summary>
+    public bool IsBasic => Name is "harvest" or "drive-record" or "relabel" or "merge" or "export-kitti" or "masks-import" or "pairs";
+
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
         "harvester roads,1\nnode,0,0,0,-200,30,,,,\nnode,0,1,0,0,30,,,,\nnode,0,2,0,200,30,,,,\nlink,0,1,1,1,0,,200\nlink,1,2,1,1,0,,200\n"

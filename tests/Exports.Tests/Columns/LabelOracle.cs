@@ -55,6 +55,7 @@ internal sealed class LabelOracle(IReadOnlyList<JsonElement> lines)
             "lanes" => Whole("lanes"),
             "controls" => Whole("drive"),
             "drive_ticks" => Items(line, "drive.ticks"),
+            "imu" => Whole("imu"),
             "lane_vehicles" => Items(line, "lanes.vehicles"),
             "lane_lines" => Lines(),
             "lane_points" => Lines().SelectMany(item => Items(item.Element, "points").Select((_, point) => item with { Point = point })),

@@ -54,6 +54,7 @@ public sealed class ParquetFieldTests(SimulatedSession simulated) : ExportTests
             ["controls"] = "drive.",
             ["drive_ticks"] = "drive.ticks[].",
             ["lane_vehicles"] = "lanes.vehicles[].",
+            ["imu"] = "imu.",
         };
         HashSet<string> documented =
         [

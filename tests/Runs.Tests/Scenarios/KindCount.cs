@@ -1,6 +1,6 @@
 namespace Harvester.Runs.Tests.Scenarios;
 
-/// <summary>How often a kind of scenario was staged, happened as described, and touched the ego; and how often no place was found.</summary>
+/// <summary>How often a kind of scenario was staged, happened as described and touched the ego, and how often no place was found.</summary>
 internal sealed record KindCount(string Kind, int Staged, int Happened, int Touched, int Skipped)
 {
     public static KindCount operator +(KindCount a, KindCount b) =>

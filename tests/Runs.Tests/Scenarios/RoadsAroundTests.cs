@@ -9,7 +9,7 @@ namespace Harvester.Runs.Tests.Scenarios;
 public class RoadsAroundTests
 {
     [Fact]
-    public void Lanes_around_the_middle_of_a_part_are_those_of_the_whole_network()
+    public void Lanes_around_a_place_are_those_of_the_whole_network()
     {
         RoadNetwork town = TownBuilder.Build(31);
         RoadNetwork part = RoadsAround.Of(town, new Box2D(-250, -250, 250, 250));

@@ -13,7 +13,7 @@ internal sealed record StagedRecording(IReadOnlyList<SeenMoment> Moments, Scenar
 {
     private const double TickSeconds = 1.0 / 30;
 
-    /// <summary>Traffic farther away stands still, metres: it takes most of the time, and the scenario clears 150 m around the ego.</summary>
+    /// <summary>Traffic farther away stands still, metres: it takes most of the time, and 150 m around the ego are cleared.</summary>
     private const double TrafficRadius = 250;
 
     public static StagedRecording Of(ScenarioTemplate template, int seed, RoadNetwork? roads = null, bool isBlind = false)

@@ -48,6 +48,7 @@ public sealed class CrashWorldTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Driver_who_cannot_stop_in_time_crashes_and_the_wreck_stays()
     {
         SimulatedGame game = Game(seed: 4, traffic: 1);
@@ -157,11 +158,13 @@ public sealed class CrashWorldTests
     [Trait("Category", "Heavy")]
     public void Ordinary_traffic_hardly_crashes_and_bodies_never_overlap()
     {
+        // At most one impact a minute: two towns for half a minute each.
+        const double seconds = 30;
         int crashes = 0;
-        for (int seed = 21; seed < 27; seed++)
+        for (int seed = 21; seed < 23; seed++)
         {
             SimulatedGame game = Game(seed, traffic: 1, people: 1, parked: 1);
-            for (int i = 0; i < 60 / Tick; i++)
+            for (int i = 0; i < seconds / Tick; i++)
             {
                 game.Tick(Tick);
                 crashes += game.Impacts.Count;
@@ -175,7 +178,7 @@ public sealed class CrashWorldTests
             }
         }
 
-        Assert.True(crashes < 6, $"{crashes} impacts in six towns and minutes.");
+        Assert.True(crashes <= 1, $"{crashes} impacts in a minute.");
     }
 
     /// <summary>Puts the ego 2.4 m ahead of the front of a vehicle that drives fast.</summary>

@@ -20,8 +20,8 @@ public class EventOracleTests(ITestOutputHelper output)
     private const int Signs = 6;
     private const double Seconds = 45;
     private const double Required = 0.98;
-    private const int LeastOfAKind = 10;
-    private const int LeastInCI = 2;
+    private const int MinOfAKind = 10;
+    private const int MinInCI = 2;
 
     /// <summary>Times of the world are added up tick by tick, so that a tick is not exactly as long as another.</summary>
     private const double Tick = 1.01 / 60;
@@ -90,12 +90,12 @@ public class EventOracleTests(ITestOutputHelper output)
 
         foreach ((EventKind kind, (int detected, int expected, int right, int recalled)) in found)
         {
-            Assert.True(expected >= (SeedRange is null ? 0 : LeastOfAKind), $"only {expected} {kind}");
+            Assert.True(expected >= (SeedRange is null ? 0 : MinOfAKind), $"only {expected} {kind}");
             Assert.True(right >= Required * detected, $"precision of {kind}");
             Assert.True(recalled >= Required * expected, $"recall of {kind}");
         }
 
-        Assert.True(found.Values.Sum(each => each.True) >= LeastInCI);
+        Assert.True(found.Values.Sum(each => each.True) >= MinInCI);
     }
 
     /// <summary>The drives and scenarios, made one by one: a drive has the poses of some thousand moments.</summary>

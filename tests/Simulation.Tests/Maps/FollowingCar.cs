@@ -19,7 +19,7 @@ internal static class FollowingCar
     /// The least radius of the middle of its rear axle, metres: a turning circle of 10.6 m from kerb to kerb, as small cars have, with the
     /// wheelbase above and a track of 1.5 m.
     /// </summary>
-    private const double LeastRadius = 3.8;
+    private const double MinRadius = 3.8;
 
     /// <summary>How far ahead on the line the point lies to which it steers, metres.</summary>
     private const double LookAhead = 2.5;
@@ -63,7 +63,7 @@ internal static class FollowingCar
             // Pure pursuit: the circle through the rear axle, along the heading, and the point ahead has the curvature 2 y / d².
             Vector2D target = line[Math.Min(nearest + ahead, line.Length - 1)].Place - rear;
             double curvature = 2 * forward.Cross(target) / Math.Max(target.Dot(target), Spacing);
-            curvature = Math.Clamp(curvature, -1 / LeastRadius, 1 / LeastRadius);
+            curvature = Math.Clamp(curvature, -1 / MinRadius, 1 / MinRadius);
             heading += curvature * Step / 2;
             rear += new Vector2D(Math.Cos(heading), Math.Sin(heading)) * Step;
             heading += curvature * Step / 2;

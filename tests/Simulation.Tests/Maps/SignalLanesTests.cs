@@ -114,6 +114,7 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
     [Theory]
     [InlineData(611)]
     [InlineData(612)]
+    [Trait("Category", "Heavy")]
     public void Labels_name_the_lanes_that_obey_lights(int seed)
     {
         Site site = Site.OfTown(seed);

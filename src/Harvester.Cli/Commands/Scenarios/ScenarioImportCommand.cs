@@ -14,7 +14,7 @@ internal static class ScenarioImportCommand
     private const int LongestName = 30;
 
     private const string Notes =
-        "Reads of ASAM OpenSCENARIO XML 1.x what scenario export writes: positions in lanes relative to the entity Ego, speeds, changes of\n"
+        "Reads of ASAM OpenSCENARIO XML 1.x what scenario export writes: places in lanes relative to the entity Ego, speeds, changes of\n"
         + "lanes, and conditions on time, distance, time to collision, speed and other events. Anything else is named with its line, and\n"
         + "nothing is written; the exit code is then 1. The ego's place, catalogs and the road network are left out: scenario run chooses\n"
         + "roads and place.\n\n"

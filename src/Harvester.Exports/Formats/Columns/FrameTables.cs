@@ -108,21 +108,6 @@ internal static class FrameTables
             (frame, label) => [new TableRow(frame, label)]
         );
 
-    /// <summary>A row for each LiDAR of a moment.</summary>
-    public static LabelTable Lidar { get; } =
-        new(
-            "lidar",
-            "the points of a LiDAR at a moment",
-            [
-                Frame,
-                TableField.Of("sensor", ColumnKind.Word, "sensor"),
-                TableField.Of("file", ColumnKind.Text, "file"),
-                TableField.Of("points", ColumnKind.Integer, "points"),
-                TableField.Of("rays_cast", ColumnKind.Integer, "raysCast"),
-            ],
-            (frame, label) => Items(frame, label, "lidar")
-        );
-
     /// <summary>A row for each further picture of a moment.</summary>
     public static LabelTable Pairs { get; } =
         new(

@@ -19,7 +19,9 @@ internal static class LabelTables
         DriveTables.Ticks,
         DriveTables.Motion,
         FrameTables.Events,
-        FrameTables.Lidar,
+        SensorTables.Lidar,
+        SensorTables.Radar,
+        SensorTables.Imu,
         FrameTables.Pairs,
     ];
 }

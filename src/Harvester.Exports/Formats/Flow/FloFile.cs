@@ -20,7 +20,7 @@ internal static class FloFile
     public const float Unknown = 1666666752;
 
     private const float Magic = 202021.25f;
-    private const float LeastUnknown = 1e9f;
+    private const float MinUnknown = 1e9f;
 
     /// <summary>Writes the flow of a pair.</summary>
     public static void Write(PairFlow flow, Stream stream)
@@ -71,7 +71,7 @@ internal static class FloFile
         {
             float right = BinaryPrimitives.ReadSingleLittleEndian(bytes[at..]);
             float down = BinaryPrimitives.ReadSingleLittleEndian(bytes[(at + 4)..]);
-            if (!IsFlow(right) || !IsFlow(down) || (right > LeastUnknown) != (down > LeastUnknown))
+            if (!IsFlow(right) || !IsFlow(down) || (right > MinUnknown) != (down > MinUnknown))
             {
                 return FormattableString.Invariant($"pixel {(at - HeaderBytes) / BytesPerPixel} is neither a flow nor unknown.");
             }
@@ -83,5 +83,5 @@ internal static class FloFile
     /// <summary>Bytes of a file.</summary>
     public static int LengthOf(ImageSize image) => HeaderBytes + (image.PixelCount * BytesPerPixel);
 
-    private static bool IsFlow(float value) => value > LeastUnknown ? float.IsFinite(value) : Math.Abs(value) <= FlowMaker.MaxPixels;
+    private static bool IsFlow(float value) => value > MinUnknown ? float.IsFinite(value) : Math.Abs(value) <= FlowMaker.MaxPixels;
 }

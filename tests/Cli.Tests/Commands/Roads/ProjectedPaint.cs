@@ -13,7 +13,7 @@ internal sealed class ProjectedPaint
     private const double Furthest = 50;
 
     /// <summary>What is nearer is below the image, metres.</summary>
-    private const double LeastDepth = 1;
+    private const double MinDepth = 1;
 
     private readonly List<(Vector2D From, Vector2D To, double Depth)> _segments = [];
 
@@ -25,7 +25,7 @@ internal sealed class ProjectedPaint
             {
                 Vector3D from = camera.Pose.ToLocal(line.Points[i].World);
                 Vector3D to = camera.Pose.ToLocal(line.Points[i + 1].World);
-                if (Math.Max(from.Y, to.Y) > LeastDepth && from.Y < 2 * Furthest)
+                if (Math.Max(from.Y, to.Y) > MinDepth && from.Y < 2 * Furthest)
                 {
                     (from, to) = (Clipped(from, to), Clipped(to, from));
                     _segments.Add((Pixel(camera, from), Pixel(camera, to), (from.Y + to.Y) / 2));
@@ -58,7 +58,7 @@ internal sealed class ProjectedPaint
 
     /// <summary>An end of a segment, or where the segment comes as near as is visible.</summary>
     private static Vector3D Clipped(Vector3D end, Vector3D other) =>
-        end.Y >= LeastDepth ? end : end + ((other - end) * ((LeastDepth - end.Y) / (other.Y - end.Y)));
+        end.Y >= MinDepth ? end : end + ((other - end) * ((MinDepth - end.Y) / (other.Y - end.Y)));
 
     private static Vector2D Pixel(CameraLabel camera, Vector3D local) =>
         new(camera.Cx + (camera.Fx * local.X / local.Y), camera.Cy - (camera.Fy * local.Z / local.Y));
