@@ -75,9 +75,9 @@ internal sealed partial class FaultDriver
     }
 
     /// <summary>
-    /// Each operation fails with one error. Of basic commands, the first of each kind on each kind of file fails with all errors: the frames
-    /// after the first are written as the first. Each operation also kills the command, once for every state of the disk: before an operation that comes
-    /// after opening, flushing or closing an existing file, the disk is as it was before that.
+    /// Each operation fails with one error. Of basic commands, the first of each kind on each kind of file fails with all errors: the
+    /// frames after the first are written as the first. Each operation also kills the command, once for every state of the disk: before an
+    /// operation that comes after opening, flushing or closing an existing file, the disk is as it was before that.
     /// </summary>
     private void RunFaults()
     {

@@ -1,8 +1,9 @@
 using System.CommandLine;
+using System.Text;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Runs.Scenarios;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenarios;
 
@@ -54,7 +55,8 @@ internal static class ScenarioExportCommand
             throw new DatasetFormatException($"'{scenario.Name}' cannot be written as OpenSCENARIO. {string.Join(" ", problems)}");
         }
 
-        AtomicFile.Write(written, OpenScenarioWriter.Of(scenario, roads));
+        string text = OpenScenarioWriter.Of(scenario, roads);
+        OutputFile.Write(written, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         terminal.Out.WriteLine($"{written}: {scenario.Actors.Count} actors, {scenario.Events.Count} events");
         return ExitCode.Done;
     }

@@ -1,7 +1,8 @@
 using System.CommandLine;
+using System.Text;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Runs.Scenarios;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenarios;
 
@@ -11,7 +12,7 @@ namespace Harvester.Cli.Commands.Scenarios;
 internal static class ScenarioImportCommand
 {
     /// <summary>The greatest length of a scenario's name.</summary>
-    private const int LongestName = 30;
+    private const int MaxNameLength = 30;
 
     private const string Notes =
         "Reads of ASAM OpenSCENARIO XML 1.x what scenario export writes: places in lanes relative to the entity Ego, speeds, changes of\n"
@@ -50,7 +51,7 @@ internal static class ScenarioImportCommand
             throw new DatasetFormatException($"'{file}': {e.Message}", e);
         }
 
-        AtomicFile.Write(written, made);
+        OutputFile.Write(written, stream => stream.Write(Encoding.UTF8.GetBytes(made)));
         Scenario scenario = ScenarioParser.Read(made).Template!.Middle;
         terminal.Out.WriteLine($"{written}: {scenario.Actors.Count} actors, {scenario.Events.Count} events");
         return ExitCode.Done;
@@ -60,6 +61,6 @@ internal static class ScenarioImportCommand
     private static string NameOf(FileInfo file)
     {
         string name = new([.. Path.GetFileNameWithoutExtension(file.Name).Select(c => char.IsAsciiLetterOrDigit(c) ? c : '-')]);
-        return name.Length == 0 ? "imported" : name[..Math.Min(name.Length, LongestName)];
+        return name.Length == 0 ? "imported" : name[..Math.Min(name.Length, MaxNameLength)];
     }
 }
