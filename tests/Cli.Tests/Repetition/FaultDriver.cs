@@ -13,10 +13,10 @@ internal sealed partial class FaultDriver
     private static readonly int[] Errors = [Fault.DiskFull, Fault.InputOutput, Fault.PermissionDenied];
 
     /// <summary>
-    /// Whether the first operation of each kind fails with all errors; otherwise all operations fail with one each, in turn. CI has no time
-    /// for more than commands of which others are variants.
+    /// Whether every operation is tried, and the first of each kind with all errors; otherwise only the first of each kind, with one error,
+    /// in turn. CI has no time for more than that of commands that are variants of others.
     /// </summary>
-    private readonly bool _failsWithAll;
+    private readonly bool _isThorough;
 
     /// <summary>How often the drive of a command vanishes, at equal distances over its operations.</summary>
     private const int Vanishings = 5;
@@ -31,7 +31,7 @@ internal sealed partial class FaultDriver
     {
         _trial = trial;
         _root = root;
-        _failsWithAll = trial.Command.IsBasic || Environment.GetEnvironmentVariable("HARVESTER_FAULTS") == "all";
+        _isThorough = trial.Command.IsBasic || Environment.GetEnvironmentVariable("HARVESTER_FAULTS") == "all";
         trial.Restore(root);
         FaultInjector.Begin(root, Fault.None);
         trial.Run(root);
@@ -75,9 +75,10 @@ internal sealed partial class FaultDriver
     }
 
     /// <summary>
-    /// Each operation fails with one error. Of basic commands, the first of each kind on each kind of file fails with all errors: the
-    /// frames after the first are written as the first. Each operation also kills the command, once for every state of the disk: before an
-    /// operation that comes after opening, flushing or closing an existing file, the disk is as it was before that.
+    /// Each operation fails with one error. The first of each kind on each kind of file fails with all errors: the frames after the first
+    /// are written as the first, so that a command that is a variant of another is tried with the first only. Each operation also kills the
+    /// command, once for every state of the disk: before an operation that comes after opening, flushing or closing an existing file, the
+    /// disk is as it was before that.
     /// </summary>
     private void RunFaults()
     {
@@ -85,7 +86,12 @@ internal sealed partial class FaultDriver
         foreach ((int index, FileOperation operation) in _operations.Index())
         {
             bool isNew = kinds.Add($"{operation.Kind} {Digits().Replace(operation.Path, "#")}");
-            foreach (int error in isNew && _failsWithAll ? Errors : [Errors[index % Errors.Length]])
+            if (!isNew && !_isThorough)
+            {
+                continue;
+            }
+
+            foreach (int error in isNew && _isThorough ? Errors : [Errors[index % Errors.Length]])
             {
                 Check(new Fault(operation, error));
             }
