@@ -52,7 +52,7 @@ public static class EventRules
     /// </summary>
     public const double CutInSeconds = 2;
 
-    /// <summary>Who drives more slowly than this is not cut off but queues, m/s.</summary>
+    /// <summary>Below this speed a vehicle is queueing rather than being cut off, m/s.</summary>
     public const double MinCutInSpeed = 2;
 
     /// <summary>

@@ -39,7 +39,7 @@ internal sealed record StopLine(string Id, Vector3D Left, Vector3D Right, Vector
     }
 
     /// <summary>
-    /// The line moved along the traffic to the nearest painted one that lies across its lanes; where it is if there is none.
+    /// The line, moved along the direction of travel to the nearest painted line across its lanes; unchanged without such a line.
     /// </summary>
     /// <param name="marks">Painted stop lines.</param>
     public StopLine MovedTo(IEnumerable<PaintedMark> marks)

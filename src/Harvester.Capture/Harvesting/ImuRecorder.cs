@@ -8,8 +8,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// What an inertial unit at the origin of the ego's model measures: a sample for each tick, the mean from the tick before. Where the
-/// vehicle is replaced or put elsewhere, there is none.
+/// What an inertial unit at the origin of the ego's model measures: a sample for each tick, the mean from the tick before. A tick in
+/// which the vehicle is replaced or teleported has no sample.
 /// </summary>
 /// <param name="noise">Its noise; null for an ideal unit.</param>
 internal sealed class ImuRecorder(ImuNoise? noise)

@@ -21,7 +21,7 @@ internal sealed class ImuOptions
     /// <param name="parsed">The command line.</param>
     /// <param name="isOn">Whether the harvest has an inertial unit.</param>
     /// <param name="seed">The seed of the harvest.</param>
-    /// <exception cref="UsageException">The text is no noise, or there is no unit.</exception>
+    /// <exception cref="UsageException">The text is not a noise specification, or there is no inertial unit.</exception>
     public ImuNoise? Parse(ParseResult parsed, bool isOn, int seed) =>
         parsed.GetValue(Noise) is not { } text ? null
         : !isOn ? throw new UsageException($"--imu-noise needs {FrameChannels.Imu.Switch.Option}.")

@@ -10,7 +10,7 @@ internal static class ImuCheck
     /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
     private const double TimeTolerance = 1e-6;
 
-    /// <summary>No vehicle turns faster, rad/s: at 4 readings a second, half a turn between two is the most that can be told.</summary>
+    /// <summary>Maximum rate, rad/s: two attitudes a 60th of a second apart show at most half a turn, 188 rad/s.</summary>
     private const double MaxRate = 200;
 
     /// <summary>No vehicle is hit harder, m/s²: a change of 100 m/s in a 60th of a second.</summary>

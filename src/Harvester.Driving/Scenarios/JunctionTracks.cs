@@ -12,7 +12,7 @@ internal static class JunctionTracks
     /// <summary>Cosine of the greatest angle between a road and the direction from which it is said to come.</summary>
     private const double Side = 0.7;
 
-    /// <summary>Who comes from a side begins at least so far beside the ego's way, metres: past its road's edge.</summary>
+    /// <summary>Minimum distance from the ego's path at which an actor from the side begins, metres: beyond the edge of its road.</summary>
     private const double Beside = 10;
 
     /// <summary>Where lines come so near to each other, two cars on them would touch, metres.</summary>

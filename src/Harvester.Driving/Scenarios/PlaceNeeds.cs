@@ -12,7 +12,7 @@ internal static class PlaceNeeds
     private const double Straight = 0.03;
     private const double Step = 5;
 
-    /// <summary>What a lane lacks for the ego to begin on it, as a sentence; null for nothing that can be told without its surroundings.
+    /// <summary>Why the ego cannot begin on a lane, as a sentence, judged without its surroundings; null if nothing speaks against it.
     /// </summary>
     public static string? LackOf(ScenarioNeeds needs, MapLane lane)
     {

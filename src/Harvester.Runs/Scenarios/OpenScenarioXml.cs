@@ -65,7 +65,7 @@ internal static class OpenScenarioXml
     /// <summary>A finite number as an attribute.</summary>
     /// <param name="element">The element.</param>
     /// <param name="name">Name of the attribute.</param>
-    /// <param name="otherwise">The number if there is none; null if there must be one.</param>
+    /// <param name="otherwise">The number where the attribute is missing; null if it is required.</param>
     public static double Number(this XElement element, string name, double? otherwise = null) =>
         element.Attribute(name) is null && otherwise is { } known ? known
         : double.TryParse(element.Text(name), NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value)

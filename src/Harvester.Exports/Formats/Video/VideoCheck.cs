@@ -4,8 +4,8 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Exports.Formats.Video;
 
 /// <summary>
-/// Checks that every sequence has its video and its label lines. Whether a video is whole is a matter of the manifest: no decoder of videos
-/// reads the files of strangers here.
+/// Checks that every sequence has its video and its label lines. Whether a video is whole is left to the manifest, so that no video
+/// decoder reads untrusted files.
 /// </summary>
 internal static class VideoCheck
 {
