@@ -124,7 +124,15 @@ string LicenceOf(string packagePath)
 {
     XElement package = XDocument.Load(Directory.EnumerateFiles(FolderOf(packagePath), "*.nuspec").Single()).Root!;
     XElement? licence = package.Descendants().FirstOrDefault(element => element.Name.LocalName == "license");
-    return licence?.Attribute("type")?.Value == "expression"
-        ? licence.Value
-        : throw new InvalidDataException($"{packagePath}: the package states no licence expression; add a rule to build/Sbom.cs.");
+    if (licence?.Attribute("type")?.Value == "expression")
+    {
+        return licence.Value;
+    }
+
+    // Older packages link to the text of their licence.
+    return package.Descendants().FirstOrDefault(element => element.Name.LocalName == "licenseUrl")?.Value switch
+    {
+        "https://github.com/MiloszKrajewski/K4os.Compression.LZ4/blob/master/LICENSE?raw=true" => "MIT",
+        _ => throw new InvalidDataException($"{packagePath}: the package states no licence that is known; add a rule to build/Sbom.cs."),
+    };
 }
