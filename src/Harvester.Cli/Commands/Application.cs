@@ -66,6 +66,7 @@ internal static class Application
         ("export", ExportCommand.Create),
         ("pairs", PairsCommand.Create),
         ("merge", MergeCommand.Create),
+        ("rebuild", RebuildCommand.Create),
         ("supervise", SuperviseCommand.Create),
         ("project", ProjectCommand.Create),
         ("boxes", BoxesCommand.Create),
@@ -91,29 +92,25 @@ internal static class Application
 
         Option<bool> quiet = QuietOption.Create();
         ParseResult parsed = CreateRoot(terminal, quiet, arguments).Parse(arguments);
-        if (Array.IndexOf(arguments, "") >= 0)
+        if (FaultIn(parsed, arguments) is { } fault)
         {
-            return Fail(terminal, ExitCode.Usage, $"A value on the command line is empty. See '{HelpOf(parsed.CommandResult)}'.");
-        }
-
-        if (Array.Find(arguments, argument => argument.Contains(ReplacementCharacter, StringComparison.Ordinal)) is { } unreadable)
-        {
-            return Fail(terminal, ExitCode.Usage, $"'{unreadable}' is not valid UTF-8. Rename the file or folder so that its name is.");
-        }
-
-        if (StrayOption(parsed, arguments) is { } stray)
-        {
-            return Fail(terminal, ExitCode.Usage, $"{Unrecognised(stray, parsed)} See '{HelpOf(parsed.CommandResult)}'.");
-        }
-
-        if (parsed.Errors.Count > 0 && !IsCompletion(parsed))
-        {
-            return Fail(terminal, ExitCode.Usage, $"{MessageOf(parsed)} See '{HelpOf(parsed.CommandResult)}'.");
+            return Fail(terminal, ExitCode.Usage, $"{fault} See '{HelpOf(parsed.CommandResult)}'.");
         }
 
         Terminal chosen = QuietOption.TerminalFor(parsed, quiet, terminal);
         return await RunAsync(chosen == terminal ? parsed : CreateRoot(chosen, quiet, arguments).Parse(arguments), chosen, cancellation)
             .ConfigureAwait(false);
+    }
+
+    /// <summary>Parses a command line without running it, and without reading response files.</summary>
+    /// <param name="arguments">The command-line arguments, without the name of the program.</param>
+    /// <param name="terminal">Receives nothing; the commands are made for it.</param>
+    /// <exception cref="UsageException">It is not a command of this program.</exception>
+    public static ParseResult Parse(string[] arguments, Terminal terminal)
+    {
+        var plain = new ParserConfiguration { ResponseFileTokenReplacer = null };
+        ParseResult parsed = CreateRoot(terminal, QuietOption.Create(), arguments).Parse(arguments, plain);
+        return FaultIn(parsed, arguments) is { } fault ? throw new UsageException(fault) : parsed;
     }
 
     private static async Task<int> RunAsync(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
@@ -169,6 +166,24 @@ internal static class Application
             // Any exception that is not handled above is a fault of the program.
             return Fail(terminal, ExitCode.ProgramFault, FaultReport.Write(e));
         }
+    }
+
+    /// <summary>What is wrong with a command line; null if it can be run.</summary>
+    private static string? FaultIn(ParseResult parsed, string[] arguments)
+    {
+        if (Array.IndexOf(arguments, "") >= 0)
+        {
+            return "A value on the command line is empty.";
+        }
+
+        if (Array.Find(arguments, argument => argument.Contains(ReplacementCharacter, StringComparison.Ordinal)) is { } unreadable)
+        {
+            return $"'{unreadable}' is not valid UTF-8. Rename the file or folder so that its name is.";
+        }
+
+        return StrayOption(parsed, arguments) is { } stray ? Unrecognised(stray, parsed)
+            : parsed.Errors.Count > 0 && !IsCompletion(parsed) ? MessageOf(parsed)
+            : null;
     }
 
     /// <summary>All commands; if the first argument is one of them, only that one, because making options takes time.</summary>

@@ -62,7 +62,7 @@ internal sealed class CounterfactualCommand
         HarvestPlan plan = _harvest.PlanOf(parsed);
         Check(plan, changes.SelectMany(run => run));
         string command = CommandText.Of(parsed);
-        using var output = new CounterfactualOutput(plan.Folder, command);
+        using var output = new RunsOutput(plan.Folder, command, ChangeSet.FileName);
         output.Begin();
         string original = Path.Combine(plan.Folder, ChangeSet.Base);
         plan = plan with { Resume = output.Continues };
@@ -82,7 +82,7 @@ internal sealed class CounterfactualCommand
 
         if (code == ExitCode.Done)
         {
-            output.Complete(new ChangeSet(runs));
+            output.Complete(_ => new ChangeSet(runs).Write(plan.Folder));
             terminal.Out.WriteLine($"{plan.Folder}: the base and {Counted.Of(runs.Count, "changed run")}");
         }
 

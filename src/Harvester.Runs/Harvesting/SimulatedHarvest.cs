@@ -245,12 +245,15 @@ public sealed class SimulatedHarvest
             Paint = _paint is null ? _game.Ports.Paint : new MeasuredPaint(_paint),
         };
 
+    /// <summary>The program and its version, as sessions name it.</summary>
+    public static string ToolText { get; } = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}";
+
     /// <summary>Where the session of a plan comes from.</summary>
     public static SessionOrigin OriginOf(HarvestPlan plan) =>
         new()
         {
             Game = "simulation",
-            Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
+            Tool = ToolText,
             Seed = plan.Seed,
             Truth = LabelTruths.OfSimulation(plan.Variety.ReportsTrueOcclusion),
             Settings = [.. SettingsOf(plan)],

@@ -3,6 +3,7 @@ using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Datasets.Logs;
 using Harvester.Datasets.Props;
+using Harvester.Datasets.Recipes;
 using Harvester.Datasets.Roads;
 using Harvester.Exports.Formats;
 using Harvester.Exports.Formats.MotionScenarios;
@@ -208,6 +209,12 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan check {0}/plan.json",
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
+        ),
+        new(
+            "recipe",
+            "recipe.json",
+            folder => DatasetRecipe.Read(In(folder, "recipe.json")),
+            "rebuild {0}/recipe.json --check --out {0}/out --input more={0}/straight.csv"
         ),
         new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
         new(

@@ -127,6 +127,17 @@ internal static class FuzzTexts
             """
         ),
         (
+            "recipe.json",
+            """
+            {"version": 1, "tool": "harvester 0.1.0",
+             "inputs": [{"name": "more"}],
+             "steps": [{"folder": "rain", "command": ["harvest", "--frames", "5", "--weather", "rain", "--roads=@more"]},
+              {"folder": "coco", "command": ["export", "@rain", "--format", "coco"],
+               "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"}]}
+
+            """
+        ),
+        (
             "staged.json",
             """
             {"name": "staged", "places": [{"name": "a", "scenario": "scenario.json"}], "frames": 3}

@@ -46,6 +46,7 @@ internal sealed class CommandTrial
         File.WriteAllText(Path.Combine(inputs, "places.csv"), WritingCommand.Places);
         File.WriteAllText(Path.Combine(inputs, "plan.json"), WritingCommand.Plan);
         File.WriteAllText(Path.Combine(inputs, "scenario.json"), WritingCommand.Scenario);
+        File.WriteAllText(Path.Combine(inputs, "recipe.json"), WritingCommand.Recipe);
         foreach (string words in WritingCommand.Inputs)
         {
             Assert.Equal((ExitCode.Done, ""), EndingOf(CliRun.Of(WritingCommand.WordsOf(words, inputs, ""))));

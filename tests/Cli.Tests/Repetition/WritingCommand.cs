@@ -46,6 +46,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             "events":[{"id":"b","actor":"a","do":{"action":"brake","acceleration":4}}]}
             """;
 
+    /// <summary>A recipe of one export, the file recipe.json of the inputs.</summary>
+    public static string Recipe { get; } =
+        """{"version":1,"inputs":[{"name":"in"}],"steps":[{"folder":"csv","command":["export","@in","--format","csv"]}]}""";
+
     /// <summary>
     /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
     /// </summary>
@@ -117,6 +121,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         },
         new("scenario-export", "scenario export {inputs}/scenario.json --out {root}/scenario.xosc"),
         new("scenario-import", "scenario import {inputs}/scenario.xosc --out {root}/scenario.json"),
+        new("rebuild", "rebuild {inputs}/recipe.json --out {root}/out --input in={inputs}/session")
+        {
+            Only = ["out/.", "out/dataset.lock"],
+            IsKilled = true,
+        },
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
