@@ -64,6 +64,7 @@ public sealed class LightTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Pictures_show_the_lamps_that_the_mod_has_set()
     {
         // The mod sets the lights and its record is not used: the state read from the picture must be the one that was set.

@@ -106,6 +106,7 @@ public sealed class PaintSurveyTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Place_without_ground_is_taken_by_the_next_survey()
     {
         using ScriptDriver driver = OnRoad();

@@ -99,6 +99,7 @@ public class SimulatedGameTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Render_every_pixel_of_an_entity_lies_in_its_cuboid()
     {
         SimulatedGame game = new(new SimulationOptions { Seed = 3 });

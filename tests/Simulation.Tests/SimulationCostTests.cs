@@ -79,6 +79,7 @@ public class SimulationCostTests
     [Theory]
     [InlineData(false, MaxRays)]
     [InlineData(true, MaxRaysWithMask)]
+    [Trait("Category", "Heavy")]
     public void Frame_takes_few_rays(bool masks, int most)
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 3 });

@@ -25,6 +25,7 @@ public sealed class CodedMaskTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Relabel_keeps_amodal_masks()
     {
         Run("relabel", Session, "--out", _folder.PathOf("again"));
@@ -49,6 +50,7 @@ public sealed class CodedMaskTests : IDisposable
     [Theory]
     [InlineData("--shard", "1/2")]
     [InlineData("--resume")]
+    [Trait("Category", "Heavy")]
     public void Comparison_of_masks_needs_a_whole_harvest(params string[] part) =>
         CliRun
             .Of(["harvest", "--out", _folder.PathOf("part"), "--masks", "both", .. part])

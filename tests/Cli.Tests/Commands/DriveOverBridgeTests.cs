@@ -14,6 +14,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [Theory]
     [InlineData("socket")]
     [InlineData("folder")]
+    [Trait("Category", "Heavy")]
     public void Drive_over_a_bridge_is_driven_by_its_client(string bridge)
     {
         CliRun run = CliRun.Of(

@@ -69,6 +69,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_records_its_options_in_the_session()
     {
         Harvest(

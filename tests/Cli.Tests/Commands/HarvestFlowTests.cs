@@ -23,6 +23,7 @@ public sealed class HarvestFlowTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Frames_after_the_first_of_a_place_have_flow()
     {
         string session = Harvest("session", "--frames", "4", "--places", "2");
@@ -71,6 +72,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Views_of_a_rig_have_the_flow_of_their_own_camera()
     {
         string rig = _folder.File("rig.json", HarvestedRig.Rig);

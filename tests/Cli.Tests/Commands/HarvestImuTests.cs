@@ -35,6 +35,7 @@ public sealed class HarvestImuTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Noise_is_added_to_what_the_ideal_unit_measures()
     {
         ImuSample[] ideal = Samples(Harvest("ideal", "--frames", "2"));
@@ -48,6 +49,7 @@ public sealed class HarvestImuTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Relabelling_keeps_the_samples()
     {
         string session = Harvest("session", "--frames", "2", "--imu-noise", "accel=0.01");

@@ -12,6 +12,7 @@ public sealed class HarvestNormalsTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Maps_are_validated_and_kept_unless_the_lens_changes()
     {
         string session = _folder.PathOf("session");
@@ -35,6 +36,7 @@ public sealed class HarvestNormalsTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Map_of_another_format_is_a_problem()
     {
         string session = _folder.PathOf("grey");

@@ -65,6 +65,7 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Resumed_rig_has_the_bytes_of_an_uninterrupted_one()
     {
         string session = _folder.PathOf("session");

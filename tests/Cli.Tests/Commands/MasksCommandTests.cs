@@ -18,6 +18,7 @@ public sealed class MasksCommandTests
     [InlineData(true, "6")]
     [InlineData(false, "4")]
     [InlineData(true, "4")]
+    [Trait("Category", "Heavy")]
     public void Importing_a_sessions_own_masks_keeps_visible_boxes_and_faces(bool match, string seed)
     {
         using var folder = new TemporaryFolder();
@@ -46,6 +47,7 @@ public sealed class MasksCommandTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Matching_import_counts_the_pixels_that_it_drops()
     {
         using var folder = new TemporaryFolder();

@@ -1,4 +1,5 @@
 using Harvester.Cli.Terminals;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -72,6 +73,7 @@ public sealed class RepairCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Header_that_is_not_UTF_8_is_made_again()
     {
         Harvest();
@@ -100,7 +102,7 @@ public sealed class RepairCommandTests : IDisposable
     [InlineData("scenes/00000001.json")]
     public void Repair_of_a_damaged_file_succeeds_or_leaves_no_output(string file)
     {
-        const int places = 60;
+        int places = ProofSize.Of(inCi: 15, full: 60);
         Harvest();
         string path = Path.Combine(Session, file);
         byte[] bytes = File.ReadAllBytes(path);

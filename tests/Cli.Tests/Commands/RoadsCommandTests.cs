@@ -188,6 +188,7 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lights_of_a_list_and_of_a_session_are_on_the_map()
     {
         string session = _folder.PathOf("session");

@@ -10,6 +10,7 @@ public sealed class ValidateSchemaTests(SmallSession small) : IClassFixture<Smal
     public void Validate_schema_accepts_a_harvest() => AssertConforms(small.Folder);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Validate_schema_accepts_other_options_of_a_harvest()
     {
         using var folder = new TemporaryFolder();

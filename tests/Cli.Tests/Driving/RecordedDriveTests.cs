@@ -35,6 +35,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Recording_does_not_change_the_drive()
     {
         using TemporaryFolder folder = new();
@@ -118,6 +119,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Drive_over_a_bridge_is_recorded_from_its_frames()
     {
         using TemporaryFolder folder = new();
@@ -156,6 +158,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Several_starts_give_a_session_each()
     {
         using TemporaryFolder folder = new();
@@ -166,6 +169,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Exports_keep_the_action_of_each_image()
     {
         using TemporaryFolder folder = new();

@@ -15,7 +15,8 @@ namespace Harvester.Cli.Tests.Driving;
 [Trait("Category", "Heavy")]
 public sealed class TenKilometresTests
 {
-    private const double Demanded = 10_000;
+    /// <summary>What must be judged, metres; the rest is in junctions. In CI, where there are fewer starts, a share.</summary>
+    private static readonly int Demanded = ProofSize.Of(inCi: 3_500, full: 10_000);
 
     private static readonly Vector2D[] PlacesInTown = [new(0, 0), new(-430, -200), new(-430, -400), new(200, -300), new(0, 300)];
 
@@ -62,7 +63,7 @@ public sealed class TenKilometresTests
             new DriveSettings
             {
                 Controller = controller,
-                Starts = PlacesInTown,
+                Starts = ProofSize.Of(PlacesInTown[..2], PlacesInTown),
                 TrafficDensity = 0.5,
                 Metres = 2800,
                 Noise = isNoisy ? NoiseLevels.Published : null,
@@ -75,7 +76,7 @@ public sealed class TenKilometresTests
             {
                 Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
                 Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
-                Starts = PlacesOnMap,
+                Starts = ProofSize.Of(PlacesOnMap[..4], PlacesOnMap),
                 Metres = 2400,
                 Seconds = 900,
                 Noise = noise,

@@ -15,6 +15,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     public void Dispose() => _folder.Dispose();
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Export_is_on_the_disk_before_export_json_is_there()
     {
         RecordedOperations operations = Record("export", session.Folder, "--format", "yolo", "--out", Out);
@@ -55,6 +56,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Merged_export_is_on_the_disk_before_export_json_is_there()
     {
         string[] shards = Shards();
@@ -75,6 +77,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Merge_in_place_flushes_the_shards_that_are_there()
     {
         string[] shards = Shards();
@@ -85,6 +88,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Export_and_merge_never_wait_if_they_need_not()
     {
         string[] shards = Shards();
@@ -101,6 +105,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Former_session_is_deleted_when_the_new_name_is_on_the_disk()
     {
         SharedHarvest.CopyTo(Out, "--frames", "1", "--seed", "5", "--size", "64x48", "--masks", "--no-report");
@@ -119,6 +124,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Mark_is_on_the_disk_before_the_session_and_gone_after_it()
     {
         RecordedOperations operations = Record("relabel", session.Folder, "--out", Out, "--no-report");
@@ -134,6 +140,7 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
     }
 
     [CompilerFact]
+    [Trait("Category", "Heavy")]
     public void Single_file_is_on_the_disk_when_the_command_ends()
     {
         Directory.CreateDirectory(_folder.PathOf("root/in"));

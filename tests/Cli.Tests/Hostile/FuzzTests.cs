@@ -1,5 +1,6 @@
 using System.Globalization;
 using Harvester.Cli.Terminals;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -11,7 +12,8 @@ namespace Harvester.Cli.Tests.Hostile;
 /// </summary>
 public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : IClassFixture<FuzzCorpus>
 {
-    private const int DefaultCases = 40;
+    private const int Cases = 40;
+    private const int CasesInCi = 16;
     private const int DefaultSeed = 20260101;
 
     public static TheoryData<string> Kinds => FuzzKind.Names;
@@ -38,7 +40,7 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
     {
         FuzzKind kind = FuzzKind.Of(name);
         int seed = TestSetting.Number("HARVESTER_FUZZ_SEED", DefaultSeed);
-        int cases = TestSetting.Number("HARVESTER_FUZZ_CASES", DefaultCases);
+        int cases = TestSetting.Number("HARVESTER_FUZZ_CASES", ProofSize.Of(CasesInCi, Cases));
         output.WriteLine($"{name}: seed {seed}, {cases} cases");
         var random = new Random(seed);
         int refused = 0;

@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Globalization;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -12,7 +13,8 @@ namespace Harvester.Cli.Tests.Hostile;
 [Trait("Category", "Heavy")]
 public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper output) : IClassFixture<FuzzReaderCorpus>
 {
-    private const int DefaultCases = 3_000;
+    private const int Cases = 3_000;
+    private const int CasesInCi = 500;
     private const int DefaultSeed = 20260101;
 
     public static TheoryData<string> Kinds => FuzzKind.Names;
@@ -22,7 +24,7 @@ public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper
     public void Damaged_file_is_read_or_refused(string name)
     {
         FuzzKind kind = FuzzKind.Of(name);
-        int cases = TestSetting.Number("HARVESTER_FUZZ_CASES", DefaultCases);
+        int cases = TestSetting.Number("HARVESTER_FUZZ_CASES", ProofSize.Of(CasesInCi, Cases));
         int seed = TestSetting.Number("HARVESTER_FUZZ_SEED", DefaultSeed);
         byte[] sound = corpus.Sound(kind);
         TimeSpan before = Environment.CpuUsage.TotalTime;

@@ -21,6 +21,9 @@ internal sealed partial class FaultDriver
     /// <summary>How often the drive of a command vanishes, at equal distances over its operations.</summary>
     private const int Vanishings = 5;
 
+    /// <summary>As <see cref="Vanishings"/>, of a command that is a variant of another.</summary>
+    private const int VanishingsOfVariants = 2;
+
     private readonly CommandTrial _trial;
     private readonly string _root;
     private readonly IReadOnlyList<FileOperation> _operations;
@@ -103,9 +106,10 @@ internal sealed partial class FaultDriver
         }
 
         // What it leaves on the disk is what a kill leaves there; here the command goes on and must report it.
-        for (int i = 0; i < Vanishings; i++)
+        int vanishings = _isThorough ? Vanishings : VanishingsOfVariants;
+        for (int i = 0; i < vanishings; i++)
         {
-            Check(new Fault(_operations[i * (_operations.Count - 1) / (Vanishings - 1)], Fault.InputOutput, Vanishes: true));
+            Check(new Fault(_operations[i * (_operations.Count - 1) / (vanishings - 1)], Fault.InputOutput, Vanishes: true));
         }
 
         if (_operations.Any(operation => operation.Kind == "exchange"))

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Globalization;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Repetition;
@@ -13,7 +14,8 @@ namespace Harvester.Cli.Tests.Repetition;
 [Trait("Category", "Heavy")]
 public sealed class KilledCommandTests : IDisposable
 {
-    private const int DefaultStops = 20;
+    private const int Stops = 60;
+    private const int StopsInCi = 10;
     private const int DefaultSeed = 20260101;
     private const int Threads = 10;
 
@@ -57,7 +59,7 @@ public sealed class KilledCommandTests : IDisposable
     [Fact]
     public void Killed_command_given_again_ends_as_if_undisturbed()
     {
-        int stops = TestSetting.Number("HARVESTER_STOPS", DefaultStops);
+        int stops = TestSetting.Number("HARVESTER_STOPS", ProofSize.Of(StopsInCi, Stops));
         int seed = TestSetting.Number("HARVESTER_STOPS_SEED", DefaultSeed);
         FolderContent inputs = FolderContent.Of(Inputs);
 

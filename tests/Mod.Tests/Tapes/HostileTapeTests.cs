@@ -19,6 +19,7 @@ public sealed class HostileTapeTests
     private const long LastClock = 864_000_000_000;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Impossible_answers_end_in_a_result() => AssertResults(37, Cases);
 
     [Fact]

@@ -164,6 +164,7 @@ public sealed class TapeTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Game_that_answers_otherwise_gives_a_difference()
     {
         EditedTape tape = new(RecordedGame.Plain);

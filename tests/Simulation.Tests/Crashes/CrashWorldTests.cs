@@ -135,6 +135,7 @@ public sealed class CrashWorldTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Crash_repeats_to_the_bit()
     {
         Assert.Equal(States(), States());

@@ -73,6 +73,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Released_ego_returns_to_its_lane_and_drives_on()
     {
         SimulatedGame game = new(

@@ -30,6 +30,7 @@ public sealed class ExactFlowTests(ITestOutputHelper output)
     private static readonly RenderLens Bent = new(1.01, 0.004, -0.003, -0.12, 0.03);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Flow_is_the_motion_of_the_points_of_the_meshes()
     {
         Compare(61, new ImageSize(160, 120), RenderLens.None, frames: 2);

@@ -87,6 +87,7 @@ public sealed class TrueOcclusionTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labels_have_no_true_occlusion_unless_asked_for()
     {
         var options = new HarvestOptions { Image = new ImageSize(160, 120), MaxFrames = 1 };

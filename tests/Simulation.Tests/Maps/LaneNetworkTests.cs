@@ -26,6 +26,7 @@ public sealed class LaneNetworkTests(ITestOutputHelper output)
     [InlineData(461)]
     [InlineData(462)]
     [InlineData(463)]
+    [Trait("Category", "Heavy")]
     public void Lanes_and_ways_are_those_of_the_towns_traffic(int seed)
     {
         Site site = Site.OfTown(seed);

@@ -50,6 +50,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void World_is_bitwise_the_same_in_all_pictures()
     {
         PairHarvest harvest = PairHarvest.Of(Town, PairHarvest.Options("clear,rain,xmas", "0,6,12", "vehicles,people,signs"));

@@ -10,6 +10,7 @@ using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 using Harvester.Simulation.Tests.Labelling;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.PixelMaps;
@@ -64,6 +65,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     };
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Mask_is_made_from_few_pictures_and_rays()
     {
         Scores scores = Judge([61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { RaysMeetBoxes = true });
@@ -74,6 +76,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Late_visibility_does_not_spoil_a_mask()
     {
         Scores scores = Judge(
@@ -88,6 +91,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Code_words_replace_screens_that_are_not_drawn()
     {
         var scores = new Scores();
@@ -120,6 +124,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Hidden_objects_are_shown_again_for_the_next_frame()
     {
         var game = new SimulatedGame(Town(61, Detail.Plain, new GameQuirks { VisibilityDelayTicks = 3 }));
@@ -148,7 +153,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Masks_agree_with_pictures_despite_noise_and_shadows()
     {
-        Scores scores = Judge([701, 702, 703, 704, 705, 706], 2, new ImageSize(800, 600), Detail.Full, Hard);
+        Scores scores = Judge(ProofSize.Of([701, 702], [701, 702, 703, 704, 705, 706]), 2, new ImageSize(800, 600), Detail.Full, Hard);
 
         Assert.InRange(scores.Large.Average(), MinMeanIou, 1);
         Assert.InRange(scores.Apart.Min(), MinIou, 1);
@@ -165,7 +170,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     public void Masks_are_no_worse_than_those_of_exact_rays()
     {
         GameQuirks exact = Hard with { RaysMeetBoxes = false };
-        int[] seeds = [707, 708, 709, 710];
+        int[] seeds = ProofSize.Of([707, 708], [707, 708, 709, 710]);
         Scores coded = Judge(seeds, 1, new ImageSize(800, 600), Detail.Full, exact);
         Scores rays = Judge(seeds, 1, new ImageSize(800, 600), Detail.Full, exact, MaskMethod.Rays);
 

@@ -136,6 +136,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void RayMissFraction_misses_the_same_far_vehicles_per_seed()
     {
         SimulatedGame whole = Game(new GameQuirks());

@@ -26,6 +26,7 @@ public sealed class HarvestWithQuirksTests
     public void Step_for_long_with_all_quirks_keeps_only_matching_frames(int lag) => Harvest(lag, frames: 400);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Judge_detects_frames_of_a_harvest_that_ignores_picture_lag()
     {
         // With a lag of 3 ticks and no wait each picture is older than its label, which shows as long as something moves.

@@ -4,6 +4,7 @@ using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Quirks;
@@ -66,7 +67,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     {
         var wrong = new List<string>();
         int runs = 0;
-        for (int seed = 1; seed <= 8; seed++)
+        foreach (int seed in ProofSize.Of([1, 4, 8], [1, 2, 3, 4, 5, 6, 7, 8]))
         {
             string weather = seed % 4 == 0 ? "rain" : "clear";
             bool isCameraLate = seed % 2 == 1;

@@ -14,6 +14,7 @@ public sealed class PictureWatchTests
     public void Plain_pictures_are_left_in_peace() => Assert.Null(WarningOf(new GameQuirks()));
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Radar_that_stays_in_frozen_pictures_is_found() =>
         Assert.Contains("lower left", WarningOf(new GameQuirks { ShowsHud = true, HudStaysWhileFrozen = true }), StringComparison.Ordinal);
 

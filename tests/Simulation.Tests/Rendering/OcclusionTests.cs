@@ -20,6 +20,7 @@ public sealed class OcclusionTests
     private static readonly RenderCamera Eye = TestScene.Camera with { Width = 640, Height = 480, VerticalFovDegrees = 50 };
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Estimate_is_near_the_rendered_occlusion_on_average()
     {
         var errors = new List<double>();

@@ -59,6 +59,7 @@ public sealed class LidarAgainstPictureTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Beams_and_columns_are_where_the_rig_says()
     {
         double[] beams = [0, -10, -30];

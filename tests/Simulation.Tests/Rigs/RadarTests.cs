@@ -22,6 +22,7 @@ public sealed class RadarTests
     [InlineData(9301)]
     [InlineData(9302)]
     [InlineData(9303)]
+    [Trait("Category", "Heavy")]
     public void Radial_velocity_is_the_projected_relative_velocity(int seed)
     {
         CapturedFrame frame = Moment(seed, Exact());

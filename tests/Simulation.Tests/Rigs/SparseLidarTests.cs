@@ -46,6 +46,7 @@ public sealed class SparseLidarTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Points_that_are_not_flagged_have_rays_of_their_own()
     {
         var model = new LidarModel("short", [2, -1, -4, -7, -10, -13], 1e-3, 10, 60);

@@ -60,6 +60,7 @@ public sealed class VehicleLightsTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Indicators_blink_to_the_side_of_the_coming_turn()
     {
         const double clearTurn = 0.9;
@@ -150,6 +151,7 @@ public sealed class VehicleLightsTests
 
     /// <summary>From behind: brake lights on both sides, indicators on the side that is indicated and not on the other.</summary>
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lamps_are_seen_from_behind_where_they_belong()
     {
         const int fewest = 8;

@@ -29,6 +29,7 @@ public sealed class PopulationTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Most_of_the_traffic_is_cars_and_no_class_is_rare()
     {
         // Of about 200 vehicles; a share of 5 % is missed by half with a probability below 5 %, so three worlds are counted together.

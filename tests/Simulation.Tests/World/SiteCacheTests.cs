@@ -22,6 +22,7 @@ public class SiteCacheTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Worlds_on_a_shared_site_are_independent()
     {
         var options = new SimulationOptions { Seed = 43 };

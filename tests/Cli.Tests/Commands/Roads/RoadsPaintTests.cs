@@ -81,6 +81,7 @@ public sealed class RoadsPaintTests : IDisposable
     public void Session_without_roads_needs_a_network() => Refused(Session, "has no recorded roads. Name a road network with --roads.");
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Another_network_is_refused()
     {
         using var small = new SmallSession();

@@ -19,6 +19,7 @@ public sealed class RoadsPhotographTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Session_shows_the_road_from_above_and_is_valid()
     {
         CliRun run = Photograph("--range", "50");
@@ -42,6 +43,7 @@ public sealed class RoadsPhotographTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Survey_is_the_same_in_every_run()
     {
         Photograph("--range", "40").AssertDone();
