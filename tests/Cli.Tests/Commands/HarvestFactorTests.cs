@@ -1,6 +1,7 @@
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -20,7 +21,10 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
 
     private static readonly string[] WanderFactors = ["0", "1", "3"];
 
-    private static readonly string[] Factors = ["--lane-changes", "--traffic", "--pedestrians", "--parked"];
+    private static readonly string[] Factors = ProofSize.Of(
+        ["--traffic", "--parked"],
+        ["--lane-changes", "--traffic", "--pedestrians", "--parked"]
+    );
 
     [Fact]
     public void Wander_moves_the_car_in_its_lane()

@@ -2,6 +2,7 @@ using Harvester.Capture.Calibration;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Simulation.Rendering;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Calibration;
@@ -13,7 +14,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Uncertainty_holds_in_95_of_100_calibrations()
     {
-        const int trials = 100;
+        int trials = ProofSize.Of(inCi: 25, full: 100);
         var random = new Random(2024);
         var ratios = new List<double>();
         for (int trial = 0; trial < trials; trial++)

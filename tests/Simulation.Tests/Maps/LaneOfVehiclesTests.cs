@@ -5,6 +5,7 @@ using Harvester.Simulation.Settings;
 using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
 using Harvester.Simulation.World;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Maps;
@@ -14,7 +15,7 @@ namespace Harvester.Simulation.Tests.Maps;
 public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
 {
     /// <summary>Seconds of traffic, of which each gives a sample.</summary>
-    private const int Seconds = 60;
+    private static readonly int Seconds = ProofSize.Of(inCi: 20, full: 60);
 
     /// <summary>
     /// Nearer to an end of its path, the middle of a vehicle may be in the junction already, whose border differs: traffic stops up to this
