@@ -1,4 +1,5 @@
 using System.Globalization;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests;
 
@@ -6,9 +7,10 @@ namespace Harvester.Cli.Tests;
 internal static class TestSeeds
 {
     /// <summary>The seeds in the environment variable GTADATAHARVESTER_PAINT_SEEDS, separated by commas.</summary>
-    /// <param name="usual">The seeds where the variable is not set.</param>
-    public static IEnumerable<int> Or(string usual) =>
-        (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? usual)
-            .Split(',')
-            .Select(static seed => int.Parse(seed, CultureInfo.InvariantCulture));
+    /// <param name="inCi">The seeds that CI tries where the variable is not set.</param>
+    /// <param name="full">All.</param>
+    public static IEnumerable<int> Or(int[] inCi, int[] full) =>
+        Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") is { } seeds
+            ? seeds.Split(',').Select(static seed => int.Parse(seed, CultureInfo.InvariantCulture))
+            : ProofSize.Of(inCi, full);
 }

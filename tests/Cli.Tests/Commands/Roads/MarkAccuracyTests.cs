@@ -28,7 +28,7 @@ public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
     public void Marks_of_random_towns_are_found_from_above()
     {
         MarkJudge[] judges = [.. Enum.GetValues<MarkKind>().Select(kind => new MarkJudge(kind, MarkJudge.FromAbove))];
-        foreach (int seed in TestSeeds.Or("351,352"))
+        foreach (int seed in TestSeeds.Or([351, 352], [351, 352]))
         {
             string session = _folder.PathOf("session");
             string table = _folder.PathOf("paint.csv");
@@ -48,7 +48,7 @@ public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
     public void Marks_of_random_towns_are_where_they_are_painted()
     {
         MarkJudge[] judges = [.. Enum.GetValues<MarkKind>().Select(kind => new MarkJudge(kind))];
-        foreach (int seed in TestSeeds.Or("257"))
+        foreach (int seed in TestSeeds.Or([257], [257]))
         {
             string session = _folder.PathOf("session");
             string table = _folder.PathOf("paint.csv");
