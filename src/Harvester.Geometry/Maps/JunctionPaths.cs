@@ -10,6 +10,7 @@ internal sealed class JunctionPaths
     private readonly Predicate<int> _isWithin;
     private readonly Dictionary<int, HashSet<int>> _reached = [];
 
+    /// <summary>Prepares the paths of a junction.</summary>
     /// <param name="network">The roads.</param>
     /// <param name="nodes">The junction's nodes.</param>
     /// <param name="isWithin">Whether a link between two of them is part of the junction from end to end.</param>
