@@ -24,18 +24,19 @@ internal static class FoldedLine
         return false;
     }
 
-    /// <summary>The edge, nearer to the middle where that turns more sharply than the edge can follow.</summary>
+    /// <summary>The edge, between its ends nearer to the middle where that turns more sharply than the edge can follow.</summary>
     /// <param name="edge">Points of the edge.</param>
     /// <param name="middle">As many points of the middle.</param>
     public static IReadOnlyList<Vector3D> Unfolded(IReadOnlyList<Vector3D> edge, IReadOnlyList<Vector3D> middle)
     {
-        var points = new Vector3D[edge.Count];
-        for (int i = 0; i < points.Length; i++)
+        Vector3D[] points = [.. edge];
+
+        // Both ends stay where the edges of the lanes before and after it are.
+        for (int i = 1; i < points.Length - 1; i++)
         {
             Vector3D aside = edge[i] - middle[i];
-            int corner = Math.Clamp(i, 1, Math.Max(1, points.Length - 2));
-            Vector2D before = Ground(middle[corner] - middle[corner - 1]);
-            Vector2D after = Ground(middle[Math.Min(corner + 1, points.Length - 1)] - middle[corner]);
+            Vector2D before = Ground(middle[i] - middle[i - 1]);
+            Vector2D after = Ground(middle[i + 1] - middle[i]);
             double turn = Math.Atan2(before.Cross(after), before.Dot(after));
             bool isInside = turn * before.Cross(Ground(aside)) > 0;
             double radius = (before.Length + after.Length) / 2 / Math.Abs(turn);

@@ -40,6 +40,7 @@ public sealed class Lanelet2Map
         _borders = new LaneBorders(map);
         _lanes = [.. map.Lanes.Where(lane => !_borders.LeftOut.Contains(lane))];
         _signals = new Lanelet2Signals(map, _borders);
+        Lanelet2Sides.Settle(_borders, _lanes);
         foreach (LaneBorder border in _borders.Borders)
         {
             _borderWays.Add(border, new Lanelet2Way(border.Nodes, [.. TagsOf(border)]));

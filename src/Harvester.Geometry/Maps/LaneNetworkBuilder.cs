@@ -84,7 +84,9 @@ internal sealed class LaneNetworkBuilder
             Continue(segment, segment.Start, segment.Backward);
         }
 
-        ILookup<int, JunctionArm> arms = segments.SelectMany(JunctionArm.Of).ToLookup(arm => arm.Junction, arm => arm.Arm);
+        ILookup<int, JunctionArm> arms = segments
+            .SelectMany(segment => JunctionArm.Of(segment, _network.Links[segment.Link]))
+            .ToLookup(arm => arm.Junction, arm => arm.Arm);
         var junctions = new List<MapJunction>();
         foreach (KeyValuePair<int, List<int>> group in nodesOf)
         {
@@ -246,10 +248,11 @@ internal sealed class LaneNetworkBuilder
     {
         int number = _junctions[node];
         Require(arms.Length <= MaxArms, FormattableString.Invariant($"more than {MaxArms} roads, the limit, meet at the node {node}"));
+        var paths = new JunctionPaths(_network, nodes, link => !_groups.HasRest(link, _curves.Of(link).Length));
         MapLane[] ways =
         [
             .. TurnRules
-                .Ways(arms)
+                .Ways(arms, paths)
                 .Where(way => (way.To.Centre[0] - way.From.Centre[way.From.Centre.Count - 1]).Length > MinWay)
                 .Take(_maxWays - _ways + 1)
                 .Select(way => Way(number, way.From, way.To, way.Turn)),

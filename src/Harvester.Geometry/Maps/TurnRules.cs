@@ -18,9 +18,10 @@ internal static class TurnRules
 
     /// <summary>The ways through a junction.</summary>
     /// <param name="arms">The roads that meet there.</param>
-    public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> Ways(IReadOnlyList<JunctionArm> arms)
+    /// <param name="paths">Where the road data leads from one to another.</param>
+    public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> Ways(IReadOnlyList<JunctionArm> arms, JunctionPaths paths)
     {
-        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. arms.SelectMany(arm => WaysFrom(arm, arms))];
+        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. arms.SelectMany(arm => WaysFrom(arm, arms, paths))];
         var reached = new Dictionary<MapLane, MapLane>();
         foreach ((MapLane from, MapLane to, MapTurn turn) in ways)
         {
@@ -33,7 +34,7 @@ internal static class TurnRules
 
         return ways.Concat(
             arms.SelectMany(exit =>
-                    exit.Outgoing.Where(lane => !reached.ContainsKey(lane)).Select(lane => Begun(lane, exit, arms, reached))
+                    exit.Outgoing.Where(lane => !reached.ContainsKey(lane)).Select(lane => Begun(lane, exit, arms, paths, reached))
                 )
                 .OfType<(MapLane, MapLane, MapTurn)>()
         );
@@ -47,6 +48,7 @@ internal static class TurnRules
         MapLane lane,
         JunctionArm exit,
         IReadOnlyList<JunctionArm> arms,
+        JunctionPaths paths,
         Dictionary<MapLane, MapLane> reached
     )
     {
@@ -59,6 +61,7 @@ internal static class TurnRules
                 other != exit
                 && (source is null ? other.Incoming.Count > 0 : other.Incoming.Contains(source))
                 && IsAhead(other, exit)
+                && paths.Leads(other, exit)
                 && Math.Abs(other.TurnInto(exit)) < MaxTurn
             )
             .OrderBy(other => Math.Abs(other.TurnInto(exit)))
@@ -67,9 +70,13 @@ internal static class TurnRules
     }
 
     /// <summary>The ways from an arm: those of the rules and, where a road only goes on with more lanes, one to each that begins.</summary>
-    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(
+        JunctionArm arm,
+        IReadOnlyList<JunctionArm> arms,
+        JunctionPaths paths
+    )
     {
-        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. ByRule(arm, arms)];
+        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. ByRule(arm, arms, paths)];
         if (arms.Count != 2 || ways.Length == 0)
         {
             return ways;
@@ -82,7 +89,11 @@ internal static class TurnRules
         );
     }
 
-    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> ByRule(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> ByRule(
+        JunctionArm arm,
+        IReadOnlyList<JunctionArm> arms,
+        JunctionPaths paths
+    )
     {
         if (arm.Incoming.Count == 0)
         {
@@ -91,7 +102,7 @@ internal static class TurnRules
 
         (JunctionArm Arm, double Turn)[] exits =
         [
-            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0 && IsAhead(arm, exit))
+            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0 && IsAhead(arm, exit) && paths.Leads(arm, exit))
                 .Select(exit => (Arm: exit, Turn: arm.TurnInto(exit)))
                 .Where(exit => Math.Abs(exit.Turn) < MaxTurn)
                 .OrderByDescending(exit => exit.Turn),

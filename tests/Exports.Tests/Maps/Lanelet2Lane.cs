@@ -6,12 +6,15 @@ namespace Harvester.Exports.Tests.Maps;
 internal sealed class Lanelet2Lane
 {
     private readonly Lanelet2File _file;
+    private readonly long[] _leftInFile;
+    private readonly long[] _rightInFile;
 
     public Lanelet2Lane(Lanelet2File file, XElement relation)
     {
         (_file, Relation) = (file, relation);
         (LeftWay, RightWay) = (Lanelet2File.Members(relation, "left").Single(), Lanelet2File.Members(relation, "right").Single());
-        (long[] left, long[] right) = (file.NodesOf(LeftWay), file.NodesOf(RightWay));
+        (_leftInFile, _rightInFile) = (file.NodesOf(LeftWay), file.NodesOf(RightWay));
+        (long[] left, long[] right) = ([.. _leftInFile], [.. _rightInFile]);
         if (Apart(left[0], right[0]) + Apart(left[^1], right[^1]) > Apart(left[0], right[^1]) + Apart(left[^1], right[0]))
         {
             Array.Reverse(right);
@@ -54,6 +57,58 @@ internal sealed class Lanelet2Lane
             return ((lx + rx) / 2, (ly + ry) / 2);
         });
     }
+
+    /// <summary>
+    /// The borders as Lanelet2's reader has them. It reverses the left one of the file unless the middle node of the right one, or of two
+    /// nodes their middle, lies on its right, and then the right one unless that of the left one lies on its left.
+    /// </summary>
+    public (long[] Left, long[] Right) AsRead()
+    {
+        (long[] left, long[] right) = (_leftInFile, _rightInFile);
+        left = IsOnLeft(left, MiddleNode(right)) ? [.. left.Reverse()] : left;
+        return (left, IsOnLeft(right, MiddleNode(left)) ? right : [.. right.Reverse()]);
+    }
+
+    private double[] MiddleNode(long[] nodes) =>
+        nodes.Length > 2
+            ? Place(nodes[nodes.Length / 2])
+            : [.. Place(nodes[0]).Zip(Place(nodes[^1]), static (one, other) => (one + other) / 2)];
+
+    private double[] Place(long node)
+    {
+        (double x, double y) = _file.Place(node);
+        return [x, y, Lanelet2File.Number(Lanelet2File.Tag(_file.Nodes[node], "ele")!)];
+    }
+
+    /// <summary>
+    /// The side of the piece of a line that is nearest to a place. A place nearest to a node whose two pieces do not agree is on the
+    /// outside of the bend.
+    /// </summary>
+    private bool IsOnLeft(long[] nodes, double[] place)
+    {
+        double[][] line = [.. nodes.Select(Place)];
+        var pieces = Enumerable
+            .Range(0, line.Length - 1)
+            .Select(i =>
+            {
+                double[] along = [.. line[i + 1].Zip(line[i], static (to, from) => to - from)];
+                double[] to = [.. place.Zip(line[i], static (there, from) => there - from)];
+                double part = Math.Clamp(to.Zip(along, static (x, y) => x * y).Sum() / along.Sum(static x => x * x), 0, 1);
+                return (Index: i, Part: part, Apart: to.Zip(along, (x, y) => Math.Pow(x - (part * y), 2)).Sum());
+            })
+            .ToArray();
+        (int nearest, double part, _) = pieces.MinBy(piece => piece.Apart);
+        bool here = IsLeft(line[nearest], line[nearest + 1], place);
+        if (part < 1 || nearest + 2 >= line.Length || IsLeft(line[nearest + 1], line[nearest + 2], place) == here)
+        {
+            return here;
+        }
+
+        return !IsLeft(line[nearest], line[nearest + 1], line[nearest + 2]);
+    }
+
+    private static bool IsLeft(double[] from, double[] to, double[] place) =>
+        ((to[0] - from[0]) * (place[1] - from[1])) > ((to[1] - from[1]) * (place[0] - from[0]));
 
     private (double X, double Y) At(long[] nodes, double fraction)
     {

@@ -88,6 +88,24 @@ public sealed class LaneNetworkTests
         Assert.NotEmpty(map.Find("7:0-7:1/f0")!.Successors);
     }
 
+    [Fact]
+    public void Ways_lead_where_the_links_within_the_junction_do()
+    {
+        // Two nodes of one junction, with a link between them that is driven from the west to the east only.
+        RoadNode NodeAt(int number, double x, double y) => new(7, number, new Vector3D(x, y, 0), "", RoadNodeFlags.None);
+        RoadLink Road(int from, int to, int back) => new(from, to, 1, back, null, RoadLinkFlags.None);
+        var network = new RoadNetwork(
+            [NodeAt(0, 0, 0), NodeAt(1, 8, 0), NodeAt(2, -Arm, 0), NodeAt(3, Arm, 0), NodeAt(4, 0, Arm), NodeAt(5, 8, -Arm)],
+            [Road(0, 1, 0), Road(2, 0, 1), Road(3, 1, 1), Road(4, 0, 1), Road(5, 1, 1)]
+        );
+        var map = LaneNetwork.Of(new RoadCurves(network), new LaneModel(network));
+        string[] From(string lane) => [.. map.Find(lane)!.Successors.Select(way => way.Successors[0].Id).Order(StringComparer.Ordinal)];
+
+        Assert.Single(map.Junctions);
+        Assert.Equal(["7:3-7:1/b0", "7:4-7:0/b0", "7:5-7:1/b0"], From("7:2-7:0/f0"));
+        Assert.Equal(["7:5-7:1/b0"], From("7:3-7:1/f0"));
+    }
+
     private static LaneNetwork Crossing(int lanes, bool isReversed = false)
     {
         (int, int, int)[] links = [(1, 0, lanes), (2, 0, lanes), (3, 0, lanes), (4, 0, lanes)];

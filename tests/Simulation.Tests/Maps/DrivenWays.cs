@@ -1,12 +1,11 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
 using Harvester.Simulation.Streets;
-using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.Maps;
 
 /// <summary>The routes of the simulation's traffic through the junctions of a map, and whether its ways have them.</summary>
-internal sealed class DrivenWays(LaneNetwork map, Site site)
+internal sealed class DrivenWays(LaneNetwork map, LaneGraph graph)
 {
     /// <summary>Half the width of a car, metres.</summary>
     private const double HalfCar = 0.95;
@@ -27,14 +26,14 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
     private const int MaxParts = 8;
 
     private readonly Dictionary<(MapLane From, MapLane To), bool> _routes = [];
+    private readonly Dictionary<MapLane, HashSet<MapLane>> _reached = [];
 
     /// <summary>
-    /// The junctions whose ways all lie within a radius: the number of ways, of those that the traffic drives from lane to lane, and of
-    /// those on which it stays within the edges.
+    /// The junctions whose ways all lie within a radius, and what the traffic does on each of their ways.
     /// </summary>
-    public IEnumerable<(MapJunction Junction, int Ways, int Driven, int Kept)> Judge(Vector3D centre, double radius)
+    public IEnumerable<(MapJunction Junction, WayUse[] Ways)> Judge(Vector3D centre, double radius)
     {
-        foreach (LanePath way in site.Lanes.Paths.Where(path => path.Junction is not null))
+        foreach (LanePath way in graph.Paths.Where(path => path.Junction is not null))
         {
             LanePath road = way.Previous[0];
             for (double along = road.Length; along > Math.Max(-Step, road.Length - MaxSearch); along -= Step)
@@ -51,11 +50,23 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
         {
             if (junction.Ways.All(way => Horizontal.Distance(way.Centre[0], centre) < radius))
             {
-                int driven = junction.Ways.Count(way => _routes.ContainsKey((way.Predecessors[0], way.Successors[0])));
-                int kept = junction.Ways.Count(way => _routes.GetValueOrDefault((way.Predecessors[0], way.Successors[0])));
-                yield return (junction, junction.Ways.Count, driven, kept);
+                yield return (junction, [.. junction.Ways.Select(UseOf)]);
             }
         }
+    }
+
+    private WayUse UseOf(MapLane way)
+    {
+        (MapLane from, MapLane to) = (way.Predecessors[0], way.Successors[0]);
+        return _routes.TryGetValue((from, to), out bool stays)
+            ? stays
+                ? WayUse.Kept
+                : WayUse.Left
+            : !_reached.TryGetValue(from, out HashSet<MapLane>? reached)
+                ? WayUse.NoRouteBegins
+                : reached.Any(lane => lane.Link == to.Link && lane.IsForward == to.IsForward)
+                    ? WayUse.OtherLane
+                    : WayUse.NoRouteLeadsThere;
     }
 
     /// <summary>Follows a route that ends with a way, along the road behind the way and the ways behind that.</summary>
@@ -84,6 +95,12 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
     {
         MapLane[] before = [.. Chain(from, ahead: true)];
         MapLane[] after = [.. Chain(to, ahead: false)];
+        if (!_reached.TryGetValue(before[^1], out HashSet<MapLane>? reached))
+        {
+            _reached.Add(before[^1], reached = []);
+        }
+
+        reached.Add(after[^1]);
         if (before[^1].Successors.FirstOrDefault(way => way.Successors.Contains(after[^1])) is { } way)
         {
             bool stays = route.All(part => StaysOn(part, [.. before, way, .. after]));

@@ -17,4 +17,7 @@ internal enum LaneEndCause
 
     /// <summary>All other roads of the junction lie behind the lane, or it behind them.</summary>
     RoadsBehind,
+
+    /// <summary>The links within the junction do not lead to the roads that lie ahead.</summary>
+    NotLinked,
 }

@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Tests.Maps;
 
@@ -40,7 +41,36 @@ internal sealed class LaneEnds(LaneNetwork map)
             : turns.All(turn => turn >= (junction is null ? MaxBend : MaxTurn)) ? LaneEndCause.SharpTurn
             : !open.Where((_, i) => turns[i] < MaxTurn).Any(other => atEnd ? IsAhead(lane, other) : IsAhead(other, lane))
                 ? LaneEndCause.RoadsBehind
+            : !open.Any(other => atEnd ? AreLinked(lane, other, nodes) : AreLinked(other, lane, nodes)) ? LaneEndCause.NotLinked
             : LaneEndCause.None;
+    }
+
+    /// <summary>
+    /// Whether one lane ahead of another is reached from it along links within the junction in their direction: those of which nothing is a
+    /// road of the map.
+    /// </summary>
+    private bool AreLinked(MapLane from, MapLane to, int[] nodes)
+    {
+        if (!IsAhead(from, to) || Math.Abs(Turn(from, to)) >= MaxTurn)
+        {
+            return false;
+        }
+
+        var ways = map
+            .Network.Links.Where((link, number) => RoadContinuations.IsDrivable(map.Network, link) && !_roads.ContainsKey(number))
+            .SelectMany(link =>
+                new[] { (link.From, link.To, Lanes: link.LanesForward), (From: link.To, To: link.From, Lanes: link.LanesBackward) }
+            )
+            .Where(way => way.Lanes > 0 && nodes.Contains(way.From) && nodes.Contains(way.To))
+            .ToLookup(way => way.From, way => way.To);
+        HashSet<int> reached = [NodeOf(from, atEnd: true)];
+        for (int before = 0; before < reached.Count; )
+        {
+            before = reached.Count;
+            reached.UnionWith([.. reached.SelectMany(node => ways[node])]);
+        }
+
+        return reached.Contains(NodeOf(to, atEnd: false));
     }
 
     private int NodeOf(MapLane lane, bool atEnd) =>
