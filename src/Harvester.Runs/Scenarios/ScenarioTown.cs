@@ -64,24 +64,8 @@ public sealed class ScenarioTown
     /// lane.</param>
     /// <param name="seed">Chooses models and colours.</param>
     /// <param name="reason">Why it cannot happen there; null if it can.</param>
-    public BoundScenario? At(Scenario scenario, Vector2D near, double? headingDegrees, int seed, out string? reason)
-    {
-        LaneNetwork map = MapAround(near);
-        MapLane[] lanes = [.. map.Index.Near(new Vector3D(near.X, near.Y, 0), 15).Where(lane => lane.Junction is null)];
-        Vector2D? wanted = headingDegrees is { } heading ? Ground(Axes.FromHeading(heading).Forward) : null;
-        MapLane? lane = lanes
-            .Where(lane => wanted is not { } direction || lane.StartDirection.Dot(direction) > 0)
-            .MinBy(lane => lane.Centre.Min(point => (Ground(point) - near).Length));
-        if (lane is null)
-        {
-            reason = FormattableString.Invariant($"No lane is at {near.X}, {near.Y}.");
-            return null;
-        }
-
-        var track = new LaneTrack(lane.Centre);
-        double along = Math.Clamp(track.Locate(new Vector3D(near.X, near.Y, 0)).At, 1, Math.Max(1, track.To - 1));
-        return ScenarioBinder.Bind(scenario, map, track.PositionAt(along), track.DirectionAt(along), seed, out reason);
-    }
+    public BoundScenario? At(Scenario scenario, Vector2D near, double? headingDegrees, int seed, out string? reason) =>
+        ScenarioBinder.BindNear(scenario, MapAround(near), near, headingDegrees, seed, out reason);
 
     /// <summary>Binds a scenario at places where it can happen, in an order that the seed gives, each away from those before.</summary>
     /// <param name="scenario">The scenario, with its parameters drawn.</param>
