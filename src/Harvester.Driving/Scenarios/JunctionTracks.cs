@@ -102,19 +102,24 @@ internal static class JunctionTracks
     }
 
     /// <summary>
-    /// Whether a way leads across the ego's, from its side to the other: who turns right does not, nor do two roads that become one.
+    /// Whether a way leads where it should beside the ego's: from its side to the other, which two roads that become one do not, or
+    /// if it turns right from the right into the ego's lane.
     /// </summary>
     private static bool LeadsAcross(StagePlace place, LaneTrack track, double meeting, ScenarioApproach approach, MapTurn turn)
     {
         const double after = 12;
         const double aside = 4;
-        double right = place.Track.Locate(track.PositionAt(meeting + after)).Right;
+        const double farther = 30;
+        double right = RightAt(meeting + after);
         return (approach, turn) switch
         {
             (ScenarioApproach.Left, MapTurn.Straight) or (ScenarioApproach.Oncoming, MapTurn.Left) => right > aside,
             (ScenarioApproach.Right, MapTurn.Straight) => right < -aside,
+            (ScenarioApproach.Right, MapTurn.Right) => Math.Abs(right) < Meeting && Math.Abs(RightAt(meeting + farther)) < Meeting,
             _ => true,
         };
+
+        double RightAt(double at) => place.Track.Locate(track.PositionAt(at)).Right;
     }
 
     /// <summary>Whether a start is on the side from which an actor is to come; a road that winds may lead elsewhere.</summary>

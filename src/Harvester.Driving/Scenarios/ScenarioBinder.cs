@@ -199,7 +199,7 @@ public sealed class ScenarioBinder
 
     private BoundActor AtCrossing(ScenarioActor actor, int index)
     {
-        const double beyond = 0.8;
+        const double beyond = 1.5;
         (double from, double to) =
             _scenario.Place.Crossing ?? throw new UnfitPlaceException($"'{actor.Id}' begins at a crossing, which place does not require.");
         PlacedCrossing crossing = PlaceNeeds.CrossingOf(_place, from, to)!.Value;
