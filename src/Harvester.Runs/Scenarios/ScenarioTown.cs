@@ -29,6 +29,10 @@ public sealed class ScenarioTown
     /// <summary>A network of more nodes than a town is looked at in regions.</summary>
     private const int TownNodes = 2000;
 
+    /// <summary>The lanes of so many regions are kept.</summary>
+    private const int MaxKept = 6;
+
+    private readonly List<(Vector2D Near, LaneNetwork Map)> _regions = [];
     private readonly int _seed;
     private readonly Lazy<LaneNetwork> _whole;
 
@@ -117,7 +121,30 @@ public sealed class ScenarioTown
     private LaneNetwork MapAround(Vector2D near) =>
         Network.Nodes.Count <= TownNodes
             ? _whole.Value
-            : MapOf(RoadsAround.Of(Network, new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach)), MapContent.None);
+            : RegionAround(near);
+
+    /// <summary>The lanes around a place of a large network, of which scenarios with the same seed ask for the same ones.</summary>
+    private LaneNetwork RegionAround(Vector2D near)
+    {
+        lock (_regions)
+        {
+            int known = _regions.FindIndex(region => region.Near == near);
+            if (known >= 0)
+            {
+                return _regions[known].Map;
+            }
+        }
+
+        var area = new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach);
+        LaneNetwork map = MapOf(RoadsAround.Of(Network, area), MapContent.None);
+        lock (_regions)
+        {
+            _regions.RemoveRange(0, Math.Max(0, _regions.Count + 1 - MaxKept));
+            _regions.Add((near, map));
+        }
+
+        return map;
+    }
 
     private static LaneNetwork MapOf(RoadNetwork roads, MapContent content) =>
         LaneNetwork.Of(new RoadCurves(roads), new LaneModel(roads, RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth), content);
