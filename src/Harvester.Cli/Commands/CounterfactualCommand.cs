@@ -1,10 +1,8 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Exports.Pairs;
 using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
-using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 

@@ -1,6 +1,5 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
-using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Roads;
 using Harvester.Play.Features;

@@ -1,6 +1,5 @@
 using Harvester.Driving.Scenarios;
 using Harvester.Geometry;
-using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenarios;

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Harvester.Sessions.Events;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
