@@ -75,7 +75,7 @@ internal sealed class CounterfactualCommand
             if ((change.Actor ?? change.Event) is { } name)
             {
                 throw new UsageException(
-                    $"--change \"{change.Text}\": a harvest has no '{name}'. Name an object by its number in the labels; actors and events of "
+                    $"--change \"{change.Text}\": a harvest has no '{name}'. Objects have the numbers of the labels; actors and events of "
                         + "scenarios are known to harvester scenario run."
                 );
             }

@@ -82,7 +82,9 @@ public sealed class ScenarioPlayer
         return null;
     }
 
-    /// <summary>Puts the actors into the world, where they wait for <see cref="Start"/>; for games in which they appear over ticks.</summary>
+    /// <summary>
+    /// Puts the actors into the world, where they wait for <see cref="Start"/>; for games in which they appear over ticks.
+    /// </summary>
     /// <returns>Why that is impossible, as a sentence; null if it is done.</returns>
     public string? Place() => Place(isMoving: false);
 

@@ -11,8 +11,8 @@ public static partial class ChangeText
     /// <summary>What the text may be, for messages.</summary>
     public const string Form =
         "MOMENT: CHANGE, where MOMENT is 'frame N', a game time as '12.5s' or 'at EVENT', and CHANGE is 'ID brakes A', "
-        + "'ID brakes A for S', 'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels, an actor of the "
-        + "scenario or 'ego', EVENT an event of the scenario, A is in m/s², S in seconds, V in m/s";
+        + "'ID brakes A for S', 'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels, an actor "
+        + "of the scenario or 'ego', EVENT an event of the scenario, A is in m/s², S in seconds, V in m/s";
 
     /// <summary>Tyres brake no harder, m/s².</summary>
     private const double MaxDeceleration = 9;

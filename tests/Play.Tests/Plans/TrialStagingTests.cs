@@ -73,7 +73,7 @@ public sealed class TrialStagingTests : IDisposable
     }
 
     [Fact]
-    public void Scenario_that_cannot_happen_there_ends_the_attempt_with_its_reason()
+    public void Scenario_that_cannot_happen_ends_the_attempt()
     {
         string wide = Scenario.Replace("\"metres\":60", "\"metres\":60,\"lanesLeft\":2", StringComparison.Ordinal);
 

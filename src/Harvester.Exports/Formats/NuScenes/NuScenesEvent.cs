@@ -28,7 +28,9 @@ internal sealed record NuScenesEvent(string Kind, IReadOnlyList<int> Objects)
                 each => new NuScenesEvent(JsonName.Of(each.Kind), [.. each.Participants.Select(participant => participant.Object ?? Ego)])
             );
 
-    /// <summary>Writes the tokens of the attributes of events in which an object takes part; nothing for a session without events.</summary>
+    /// <summary>
+    /// Writes the tokens of the attributes of events in which an object takes part; nothing for a session without events.
+    /// </summary>
     /// <param name="json">Receives the field.</param>
     /// <param name="events">The events of a sample; null in a session without events.</param>
     /// <param name="id">The object, or <see cref="Ego"/>.</param>
