@@ -118,10 +118,7 @@ public sealed class ScenarioTown
         }
     }
 
-    private LaneNetwork MapAround(Vector2D near) =>
-        Network.Nodes.Count <= TownNodes
-            ? _whole.Value
-            : RegionAround(near);
+    private LaneNetwork MapAround(Vector2D near) => Network.Nodes.Count <= TownNodes ? _whole.Value : RegionAround(near);
 
     /// <summary>The lanes around a place of a large network, of which scenarios with the same seed ask for the same ones.</summary>
     private LaneNetwork RegionAround(Vector2D near)

@@ -52,10 +52,7 @@ public sealed class ScenarioBinderTests
                 new RoadNode(0, 1, new Vector3D(0, 200, 0), "", RoadNodeFlags.None),
                 new RoadNode(0, 2, new Vector3D(0, 400, 0), "", RoadNodeFlags.None),
             ],
-            [
-                new RoadLink(0, 1, lanesBefore, 1, null, RoadLinkFlags.None),
-                new RoadLink(1, 2, lanesAfter, 1, null, RoadLinkFlags.None),
-            ]
+            [new RoadLink(0, 1, lanesBefore, 1, null, RoadLinkFlags.None), new RoadLink(1, 2, lanesAfter, 1, null, RoadLinkFlags.None)]
         );
         return LaneNetwork.Of(new RoadCurves(roads), new LaneModel(roads), MapContent.None);
     }
