@@ -16,7 +16,7 @@ public sealed class ScenarioBinderTests
     [Theory]
     [InlineData(2, 2, 100, 40, null)]
     [InlineData(2, 1, 100, 40, null)]
-    [InlineData(2, 1, 170, 60, "A lane beside the ego's ends ")]
+    [InlineData(2, 1, 170, 60, "The road bends ")]
     [InlineData(1, 2, 210, 60, "A lane beside the ego's ends ")]
     [InlineData(1, 2, 260, 40, null)]
     public void Lanes_beside_the_ego_are_there_from_the_hindmost_actor_on(
