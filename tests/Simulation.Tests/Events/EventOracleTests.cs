@@ -17,7 +17,7 @@ public class EventOracleTests(ITestOutputHelper output)
     private const double SecondsInCI = 8;
     private const int ScenariosInCI = 1;
     private const int SignsInCI = 1;
-    private const int Signs = 12;
+    private const int Signs = 6;
     private const double Seconds = 45;
     private const double Required = 0.98;
     private const int MinOfAKind = 10;

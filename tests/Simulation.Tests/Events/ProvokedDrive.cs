@@ -26,7 +26,7 @@ internal sealed class ProvokedDrive
     private const double FrameRate = 0.1;
 
     /// <summary>Distances of the ego from the line of a stop sign at which it starts, metres.</summary>
-    private const double FarBefore = 14;
+    private const double FarBefore = 30;
     private const double CloseBefore = 6;
 
     private static readonly DrivingControls[] Provocations =
