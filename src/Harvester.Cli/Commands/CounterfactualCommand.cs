@@ -1,10 +1,8 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Exports.Pairs;
 using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
-using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
@@ -47,46 +45,10 @@ internal sealed class CounterfactualCommand
 
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        string[] texts = parsed.GetValue(_changes) ?? [];
-        List<IReadOnlyList<TimedChange>> changes =
-        [
-            .. texts.Select(text =>
-                ChangeText.Read(text) ?? throw new UsageException($"--change \"{text}\" is not of the form {ChangeText.Form}.")
-            ),
-        ];
-        if (changes.Count > ChangeSet.MaxChanges)
-        {
-            throw new UsageException($"There may be at most {ChangeSet.MaxChanges} changes, not {changes.Count}.");
-        }
-
+        var runs = new CounterfactualRuns(parsed.GetValue(_changes) ?? []);
         HarvestPlan plan = _harvest.PlanOf(parsed);
-        Check(plan, changes.SelectMany(run => run));
-        string command = CommandText.Of(parsed);
-        using var output = new RunsOutput(plan.Folder, command, ChangeSet.FileName);
-        output.Begin();
-        string original = Path.Combine(plan.Folder, ChangeSet.Base);
-        plan = plan with { Resume = output.Continues };
-        int code = HarvestRun.Of(terminal, plan with { Folder = original }, command, _harvest.HasReport(parsed), cancellation);
-        List<ChangedRun> runs = [];
-        for (int i = 0; i < changes.Count && code == ExitCode.Done; i++)
-        {
-            string name = ChangeSet.FolderOf(i + 1);
-            HarvestPlan changed = plan with
-            {
-                Folder = Path.Combine(plan.Folder, name),
-                Changes = ChangedActors.Resolve(changes[i], original),
-            };
-            runs.Add(new ChangedRun(name, texts[i]));
-            code = HarvestRun.Of(terminal, changed, command, _harvest.HasReport(parsed), cancellation);
-        }
-
-        if (code == ExitCode.Done)
-        {
-            output.Complete(_ => new ChangeSet(runs).Write(plan.Folder));
-            terminal.Out.WriteLine($"{plan.Folder}: the base and {Counted.Of(runs.Count, "changed run")}");
-        }
-
-        return code;
+        Check(plan, runs.Changes);
+        return runs.Harvest(terminal, plan, CommandText.Of(parsed), _harvest.HasReport(parsed), cancellation);
     }
 
     private static void Check(HarvestPlan plan, IEnumerable<TimedChange> changes)
@@ -110,6 +72,14 @@ internal sealed class CounterfactualCommand
 
         foreach (TimedChange change in changes)
         {
+            if ((change.Actor ?? change.Event) is { } name)
+            {
+                throw new UsageException(
+                    $"--change \"{change.Text}\": a harvest has no '{name}'. Objects have the numbers of the labels; actors and events of "
+                        + "scenarios are known to harvester scenario run."
+                );
+            }
+
             if (change.Frame >= plan.Frames - 1)
             {
                 throw new UsageException($"--change \"{change.Text}\": nothing follows frame {change.Frame} of {plan.Frames}.");

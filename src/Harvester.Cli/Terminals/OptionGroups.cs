@@ -85,6 +85,7 @@ internal static class OptionGroups
         new("Images", ["--size", "--image-format", "--quality", "--hz", "--detail"]),
         new("World", ["--roads", "--near", "--brake", "--crashes", "--weather", "--time", "--date"]),
         new("Events", ["--events", "--keep-around", "--keep-kinds"]),
+        new("Changes", ["--change"]),
     ];
 
     public static IReadOnlyList<OptionGroup> OfServe { get; } =

@@ -26,20 +26,22 @@ internal static class JunctionTracks
             return [];
         }
 
-        Vector3D forward = place.Track.DirectionAt(junction.Entry - 1);
-        Vector3D wanted = approach switch
-        {
-            // Traffic from the left drives to the right, and the other way round.
-            ScenarioApproach.Left => place.Track.RightAt(junction.Entry - 1),
-            ScenarioApproach.Right => -place.Track.RightAt(junction.Entry - 1),
-            _ => -forward,
-        };
+        Vector3D wanted = DirectionFrom(place, junction, approach);
         return junction
             .Junction.Ways.SelectMany(way => way.Predecessors)
             .Distinct()
             .Where(lane => lane != junction.Lane && lane.EndDirection.Dot(new Vector2D(wanted.X, wanted.Y)) > Side)
             .OrderBy(lane => lane.Id, StringComparer.Ordinal);
     }
+
+    /// <summary>The direction in which traffic from a side drives: from the left to the right, and the other way round.</summary>
+    private static Vector3D DirectionFrom(StagePlace place, StageJunction junction, ScenarioApproach approach) =>
+        approach switch
+        {
+            ScenarioApproach.Left => place.Track.RightAt(junction.Entry - 1),
+            ScenarioApproach.Right => -place.Track.RightAt(junction.Entry - 1),
+            _ => -place.Track.DirectionAt(junction.Entry - 1),
+        };
 
     /// <summary>Binds an actor that begins on another road.</summary>
     /// <exception cref="UnfitPlaceException">No such road comes in, or it is too short.</exception>
@@ -73,7 +75,11 @@ internal static class JunctionTracks
             double at = actor.Start.SecondsBefore is { } seconds
                 ? meeting!.Value.Other - (speed * ((meeting.Value.Ego / scenario.Ego.Speed) - seconds))
                 : -actor.Start.MetresBefore!.Value;
-            if (at < track.From + 1 || !IsOnItsSide(place, actor.Start.Approach, track.PositionAt(at)))
+            if (
+                at < track.From + 1
+                || !IsOnItsSide(place, actor.Start.Approach, track.PositionAt(at))
+                || track.DirectionAt(at).Dot(DirectionFrom(place, place.Junction!, actor.Start.Approach)) < Side
+            )
             {
                 continue;
             }
@@ -96,19 +102,24 @@ internal static class JunctionTracks
     }
 
     /// <summary>
-    /// Whether a way leads across the ego's, from its side to the other: who turns right does not, nor do two roads that become one.
+    /// Whether a way leads where it should beside the ego's: from its side to the other, which two roads that become one do not, or
+    /// if it turns right from the right into the ego's lane.
     /// </summary>
     private static bool LeadsAcross(StagePlace place, LaneTrack track, double meeting, ScenarioApproach approach, MapTurn turn)
     {
         const double after = 12;
         const double aside = 4;
-        double right = place.Track.Locate(track.PositionAt(meeting + after)).Right;
+        const double farther = 30;
+        double right = RightAt(meeting + after);
         return (approach, turn) switch
         {
             (ScenarioApproach.Left, MapTurn.Straight) or (ScenarioApproach.Oncoming, MapTurn.Left) => right > aside,
             (ScenarioApproach.Right, MapTurn.Straight) => right < -aside,
+            (ScenarioApproach.Right, MapTurn.Right) => Math.Abs(right) < Meeting && Math.Abs(RightAt(meeting + farther)) < Meeting,
             _ => true,
         };
+
+        double RightAt(double at) => place.Track.Locate(track.PositionAt(at)).Right;
     }
 
     /// <summary>Whether a start is on the side from which an actor is to come; a road that winds may lead elsewhere.</summary>

@@ -27,6 +27,27 @@ internal static class PlaceNeeds
             : null;
     }
 
+    /// <summary>Checks that the lanes beside the ego's are there all along a stretch.</summary>
+    /// <param name="needs">What the place must have.</param>
+    /// <param name="place">The place.</param>
+    /// <param name="from">Where the stretch begins, metres from the ego's start, negative behind it.</param>
+    /// <param name="to">Where it ends.</param>
+    /// <exception cref="UnfitPlaceException">A lane ends before.</exception>
+    public static void CheckLanes(ScenarioNeeds needs, StagePlace place, double from, double to)
+    {
+        if (needs.Lanes <= 1 && needs.LanesLeft == 0 && needs.LanesRight == 0)
+        {
+            return;
+        }
+
+        for (double at = from; at <= to; at += Step)
+        {
+            string where = FormattableString.Invariant($"{Math.Abs(at):0} m {(at < 0 ? "behind" : "ahead of")} the ego");
+            Need(place.LaneAt(at) is not null, $"A junction is {where}, where there must be lanes beside its own.");
+            Need(LackOf(needs, place.LaneAt(at)!) is null, $"A lane beside the ego's ends {where}.");
+        }
+    }
+
     /// <summary>Whether a node of the roads is one near which there may be what a place must have: a crossing, or lights.</summary>
     public static bool MayBeNear(ScenarioNeeds needs, RoadNode node)
     {

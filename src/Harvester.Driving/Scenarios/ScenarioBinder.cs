@@ -9,6 +9,9 @@ namespace Harvester.Driving.Scenarios;
 /// <summary>Finds where the actors of a scenario begin at a place, or says why it cannot happen there.</summary>
 public sealed class ScenarioBinder
 {
+    /// <summary>A place is on a lane at most this far away, metres.</summary>
+    private const double NearestLane = 15;
+
     private readonly Scenario _scenario;
     private readonly StagePlace _place;
     private readonly int _seed;
@@ -54,6 +57,7 @@ public sealed class ScenarioBinder
         try
         {
             PlaceNeeds.Check(scenario.Place, place);
+            PlaceNeeds.CheckLanes(scenario.Place, place, HindmostOf(scenario), scenario.Place.StraightMetres);
             var binder = new ScenarioBinder(scenario, place, seed);
             BoundActor[] actors = [.. scenario.Actors.Select(binder.Bound)];
             reason = null;
@@ -65,6 +69,52 @@ public sealed class ScenarioBinder
             return null;
         }
     }
+
+    /// <summary>Binds a scenario on the lane that is nearest to a place.</summary>
+    /// <param name="scenario">The scenario, with the values of its parameters drawn.</param>
+    /// <param name="map">The lanes around the place.</param>
+    /// <param name="near">The place, metres, world.</param>
+    /// <param name="headingDegrees">Direction of the ego there, degrees counter-clockwise from north; null for that of the nearest
+    /// lane.</param>
+    /// <param name="seed">Chooses models and colours.</param>
+    /// <param name="reason">Why it cannot happen there, as a sentence; null if it can.</param>
+    /// <returns>Null if it cannot happen there.</returns>
+    public static BoundScenario? BindNear(
+        Scenario scenario,
+        LaneNetwork map,
+        Vector2D near,
+        double? headingDegrees,
+        int seed,
+        out string? reason
+    )
+    {
+        if (map is null)
+        {
+            throw new ArgumentNullException(nameof(map));
+        }
+
+        var place = new Vector3D(near.X, near.Y, 0);
+        Vector3D? wanted = headingDegrees is { } heading ? Axes.FromHeading(heading).Forward : null;
+        MapLane? lane = map
+            .Index.Near(place, NearestLane)
+            .Where(lane => lane.Junction is null)
+            .Where(lane => wanted is not { } direction || lane.StartDirection.Dot(new Vector2D(direction.X, direction.Y)) > 0)
+            .OrderBy(lane => lane.Centre.Min(point => new Vector2D(point.X - near.X, point.Y - near.Y).Length))
+            .FirstOrDefault();
+        if (lane is null)
+        {
+            reason = FormattableString.Invariant($"No lane is at {near.X}, {near.Y}.");
+            return null;
+        }
+
+        var track = new LaneTrack(lane.Centre);
+        double along = Math.Max(1, Math.Min(Math.Max(1, track.To - 1), track.Locate(place).At));
+        return Bind(scenario, map, track.PositionAt(along), track.DirectionAt(along), seed, out reason);
+    }
+
+    /// <summary>Where the hindmost actor on a lane begins, metres from the ego's start; 0 if none begins behind it.</summary>
+    private static double HindmostOf(Scenario scenario) =>
+        scenario.Actors.Where(actor => actor.Start.Kind == ScenarioPlaceKind.Lane).Select(actor => actor.Start.MetresAhead).Append(0).Min();
 
     private BoundActor Bound(ScenarioActor actor, int index)
     {
@@ -149,7 +199,7 @@ public sealed class ScenarioBinder
 
     private BoundActor AtCrossing(ScenarioActor actor, int index)
     {
-        const double beyond = 0.8;
+        const double beyond = 1.5;
         (double from, double to) =
             _scenario.Place.Crossing ?? throw new UnfitPlaceException($"'{actor.Id}' begins at a crossing, which place does not require.");
         PlacedCrossing crossing = PlaceNeeds.CrossingOf(_place, from, to)!.Value;

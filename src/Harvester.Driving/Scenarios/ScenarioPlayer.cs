@@ -72,6 +72,36 @@ public sealed class ScenarioPlayer
     /// <returns>Why that is impossible, as a sentence; null if it is done.</returns>
     public string? Begin()
     {
+        DriveEgo();
+        if (Place(isMoving: true) is { } reason)
+        {
+            return reason;
+        }
+
+        Go();
+        return null;
+    }
+
+    /// <summary>
+    /// Puts the actors into the world, where they wait for <see cref="Start"/>; for games in which they appear over ticks.
+    /// </summary>
+    /// <returns>Why that is impossible, as a sentence; null if it is done.</returns>
+    public string? Place() => Place(isMoving: false);
+
+    /// <summary>Sends the ego on its way, and the actors that <see cref="Place()"/> has put into the world.</summary>
+    public void Start()
+    {
+        DriveEgo();
+        foreach (StagedActor actor in _actors.Values)
+        {
+            actor.Observe(_stage.StateOf(actor.Handle));
+        }
+
+        Go();
+    }
+
+    private void DriveEgo()
+    {
         _began = _world.TimeSeconds;
         _stage.DriveEgo(
             new StageOrder(_bound.Place.Track.Path(0, _bound.Place.Track.To), _bound.Scenario.Ego.Speed, 2)
@@ -79,9 +109,21 @@ public sealed class ScenarioPlayer
                 IgnoresOthers = EgoIgnoresOthers,
             }
         );
+    }
+
+    private void Go()
+    {
+        foreach (StagedActor actor in _actors.Values)
+        {
+            _orders.Begin(actor);
+        }
+    }
+
+    private string? Place(bool isMoving)
+    {
         foreach (BoundActor bound in _bound.Actors)
         {
-            StageSpawn spawn = _stage.Spawn(bound.Spawn);
+            StageSpawn spawn = _stage.Spawn(isMoving ? bound.Spawn : bound.Spawn with { Speed = 0 });
             if (spawn.Reason is { } reason)
             {
                 Remove();
@@ -91,11 +133,6 @@ public sealed class ScenarioPlayer
             var actor = new StagedActor(bound, spawn.Handle);
             _actors.Add(bound.Actor.Id, actor);
             actor.Observe(_stage.StateOf(spawn.Handle));
-        }
-
-        foreach (StagedActor actor in _actors.Values)
-        {
-            _orders.Begin(actor);
         }
 
         return null;

@@ -5,6 +5,7 @@ using Harvester.Capture.Storage;
 using Harvester.Capture.Surveys;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
@@ -111,13 +112,15 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <param name="folder">The folder, which must not exist.</param>
     /// <param name="options">What to harvest and how; the faces in use are added.</param>
     /// <param name="tour">The tour on which the frames are taken; null to take them while someone drives.</param>
-    public void StartIn(string folder, HarvestOptions options, PaintTour? tour = null)
+    /// <param name="scenario">What the session keeps of a scenario; null without one.</param>
+    public void StartIn(string folder, HarvestOptions options, PaintTour? tour = null, KeptScenario? scenario = null)
     {
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
+            origin = scenario is null ? origin : origin with { Settings = [.. origin.Settings, .. scenario.Settings] };
             (_isSingle, _lastCaptured, _lastFault, _isSpaceLow, _tour) = (false, 0, null, false, tour);
-            Start(options with { Faces = FacesInUse() }, () => SessionPlace.Locked(folder, origin, options.ViewsPerMoment));
+            Start(options with { Faces = FacesInUse() }, () => Kept(SessionPlace.Locked(folder, origin, options.ViewsPerMoment), scenario));
         }
     }
 
@@ -280,6 +283,16 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _startedWith = options;
             _writer.Open(open);
         }
+    }
+
+    private static SessionWriter Kept(SessionWriter writer, KeptScenario? scenario)
+    {
+        if (scenario is not null)
+        {
+            writer.KeepAtEnd(ScenarioRecord.FileName, scenario.Text);
+        }
+
+        return writer;
     }
 
     /// <summary>Takes the next single frame once the one before is written; unmounting the camera cancels those that wait.</summary>

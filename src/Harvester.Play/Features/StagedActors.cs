@@ -8,7 +8,7 @@ namespace Harvester.Play.Features;
 /// The actors of scenarios in the game: models are streamed in over ticks, actors appear where the camera does not look, drive and walk by
 /// the game's own tasks, and are removed whatever happens.
 /// </summary>
-public sealed class StagedActors : ILastingFeature, IStage
+public sealed class StagedActors : ILastingFeature, ITrialStage
 {
     private const double LoadMilliseconds = 10_000;
 
@@ -40,6 +40,9 @@ public sealed class StagedActors : ILastingFeature, IStage
 
     /// <inheritdoc/>
     public bool IsBusy => false;
+
+    /// <inheritdoc/>
+    public bool AreAllThere => _actors.Values.All(static slot => slot.IsLeaving || slot.InGame.Entity != 0);
 
     /// <inheritdoc/>
     public StageSpawn Spawn(StageActor actor)
@@ -88,6 +91,22 @@ public sealed class StagedActors : ILastingFeature, IStage
             );
         }
     }
+
+    /// <inheritdoc/>
+    public int EntityOf(int handle) => ActorOf(handle)?.Entity ?? 0;
+
+    /// <inheritdoc/>
+    public void Launch(int handle, double speed)
+    {
+        int vehicle = handle == 0 ? _game.PlayersVehicle : EntityOf(handle);
+        if (vehicle != 0 && _game.Exists(vehicle) && (handle == 0 || _actors[handle].Actor.Kind is StageKind.Vehicle or StageKind.Cyclist))
+        {
+            _game.SetForwardSpeed(vehicle, speed);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Clear() => Stop();
 
     /// <inheritdoc/>
     public void Remove(int handle)

@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Play.Features;
 
 namespace Harvester.Play.Plans;
 
@@ -27,8 +28,9 @@ public interface ITrialHarvest
     /// <param name="folder">The folder of the session.</param>
     /// <param name="options">What to harvest and how.</param>
     /// <param name="verticalFovDegrees">Vertical field of view of the camera, degrees.</param>
+    /// <param name="scenario">What the session keeps of the scenario of the trial; null without one.</param>
     /// <returns>Whether it began; otherwise the player has seen the reason.</returns>
-    bool Begin(string folder, HarvestOptions options, double verticalFovDegrees);
+    bool Begin(string folder, HarvestOptions options, double verticalFovDegrees, KeptScenario? scenario = null);
 
     /// <summary>Ends the harvest. Calling it again has no effect.</summary>
     void End();

@@ -147,7 +147,7 @@ public sealed class PlanFeature : ILastingFeature, IDisposable
         }
         else if (_trial is { } trial)
         {
-            _run = new TrialRun(_world, folder.Plan, trial, folder.FolderOf(trial), folder.RigOf(trial));
+            _run = new TrialRun(_world, folder.Plan, trial, folder.FolderOf(trial), folder.RigOf(trial), folder.ScenarioOf(trial));
         }
         else if (folder.Next is { } next)
         {

@@ -1,6 +1,7 @@
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Play.Plans;
 
@@ -11,15 +12,22 @@ namespace Harvester.Play.Plans;
 public sealed class PlanFolder : IDisposable
 {
     private const string Rigs = "rigs";
+    private const string Scenarios = "scenarios";
     private const string EndedReason = "The game ended during the attempt.";
     private readonly PlanResults _results;
     private readonly IReadOnlyDictionary<string, PlanRig> _rigs;
+    private readonly IReadOnlyDictionary<string, PlanScenario> _scenarios;
     private readonly object _gate = new();
     private bool _isReleased;
 
-    private PlanFolder(PlanResults results, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs)
+    private PlanFolder(
+        PlanResults results,
+        Plan plan,
+        IReadOnlyDictionary<string, PlanRig> rigs,
+        IReadOnlyDictionary<string, PlanScenario> scenarios
+    )
     {
-        (_results, Plan, _rigs) = (results, plan, rigs);
+        (_results, Plan, _rigs, _scenarios) = (results, plan, rigs, scenarios);
         Trials = TrialList.Of(plan, plan.Places);
     }
 
@@ -63,6 +71,7 @@ public sealed class PlanFolder : IDisposable
 
         Plan plan = reading.Plan!;
         Dictionary<string, PlanRig> rigs = RigsOf(plan, file);
+        Dictionary<string, PlanScenario> scenarios = ScenariosOf(plan, file);
         string folder = Path.Combine(root, plan.Name);
         Directory.CreateDirectory(root);
         var results = new PlanResults(folder, WriterLock.Take(folder));
@@ -70,9 +79,15 @@ public sealed class PlanFolder : IDisposable
         {
             Directory.CreateDirectory(results.Trials);
             Directory.CreateDirectory(Path.Combine(folder, Rigs));
+            if (scenarios.Count > 0)
+            {
+                Directory.CreateDirectory(Path.Combine(folder, Scenarios));
+            }
+
             if (
                 new[] { (PlanResults.PlanCopy, text) }
                     .Concat(rigs.Select(rig => (Path.Combine(Rigs, rig.Key + ".json"), rig.Value.Text)))
+                    .Concat(scenarios.Select(place => (Path.Combine(Scenarios, place.Key + ".json"), place.Value.Text)))
                     .Any(input => !results.Keep(input.Item1, input.Item2))
             )
             {
@@ -80,7 +95,7 @@ public sealed class PlanFolder : IDisposable
             }
 
             results.ReadStatus(Shard.Whole);
-            var opened = new PlanFolder(results, plan, rigs);
+            var opened = new PlanFolder(results, plan, rigs, scenarios);
             opened.NoteEnded();
             return opened;
         }
@@ -97,6 +112,12 @@ public sealed class PlanFolder : IDisposable
     /// <summary>The rig of a trial's camera; null for a single camera.</summary>
     public Rig? RigOf(Trial trial) =>
         _rigs.TryGetValue((trial ?? throw new ArgumentNullException(nameof(trial))).Camera.Name, out PlanRig rig) ? rig.Rig : null;
+
+    /// <summary>The scenario of a trial, and the seed of its next attempt; null without one.</summary>
+    public (ScenarioTemplate Template, int Seed)? ScenarioOf(Trial trial) =>
+        _scenarios.TryGetValue((trial ?? throw new ArgumentNullException(nameof(trial))).Place.Name, out PlanScenario staged)
+            ? (staged.Template, trial.SeedOf(Plan.Seed, Status.NextAttempt(trial.Id) ?? 1))
+            : null;
 
     /// <summary>
     /// Prepares the next attempt at a trial, and notes on the disk that it is under way. It has no effect once the folder is released.
@@ -167,6 +188,34 @@ public sealed class PlanFolder : IDisposable
         return open is null
             ? null
             : $"the place '{open.Name}' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.";
+    }
+
+    /// <summary>The scenarios by the name of their place, from files beside the plan.</summary>
+    private static Dictionary<string, PlanScenario> ScenariosOf(Plan plan, string file)
+    {
+        var scenarios = new Dictionary<string, PlanScenario>(StringComparer.Ordinal);
+        foreach (PlanPlace place in plan.Places.Where(place => place.Scenario is not null))
+        {
+            string text;
+            try
+            {
+                text = PlanResults.ReadText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, place.Scenario!));
+            }
+            catch (Exception e) when (e is FormatException or IOException or UnauthorizedAccessException)
+            {
+                throw new FormatException($"{Path.GetFileName(file)}: the scenario {place.Scenario} cannot be read: {e.Message}", e);
+            }
+
+            ScenarioReading reading = ScenarioParser.Read(text);
+            scenarios.Add(
+                place.Name,
+                reading.Template is { } template
+                    ? new PlanScenario(template, text)
+                    : throw new FormatException($"{Path.GetFileName(file)}: the scenario {place.Scenario}: {reading.Problems[0]}")
+            );
+        }
+
+        return scenarios;
     }
 
     /// <summary>The rigs by the name of their camera, from files beside the plan.</summary>

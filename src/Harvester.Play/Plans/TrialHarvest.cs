@@ -30,7 +30,7 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessa
     public double? RealSecondsPerGameSecond => harvest.RealSecondsPerGameSecond;
 
     /// <inheritdoc/>
-    public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees)
+    public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees, KeptScenario? scenario = null)
     {
         if (harvest.IsOn || harvest.IsBusy)
         {
@@ -42,7 +42,7 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessa
         _isBegun = true;
         mount.Stop();
         mount.VerticalFovDegrees = verticalFovDegrees;
-        harvest.StartIn(folder, options);
+        harvest.StartIn(folder, options, scenario: scenario);
         return harvest.IsOn;
     }
 

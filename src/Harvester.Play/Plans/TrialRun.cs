@@ -3,6 +3,7 @@ using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Play.Plans;
 
@@ -36,6 +37,7 @@ public sealed class TrialRun
     private readonly string _folder;
     private readonly HarvestOptions _options;
     private readonly PathFollower? _follower;
+    private readonly TrialStaging? _staging;
     private MishapWatch _watch = new();
     private double _phaseBegan;
     private Vector3D _start;
@@ -50,8 +52,16 @@ public sealed class TrialRun
     /// <param name="trial">The trial.</param>
     /// <param name="folder">The folder of its session, which must not exist.</param>
     /// <param name="rig">The rig of the trial's camera; null for a single camera.</param>
+    /// <param name="scenario">The scenario of the trial, and the seed of the attempt; null without one.</param>
     /// <exception cref="ArgumentException">The place of the trial has no position.</exception>
-    public TrialRun(TrialSurroundings world, Plan plan, Trial trial, string folder, Rig? rig)
+    public TrialRun(
+        TrialSurroundings world,
+        Plan plan,
+        Trial trial,
+        string folder,
+        Rig? rig,
+        (ScenarioTemplate Template, int Seed)? scenario = null
+    )
     {
         _world = world ?? throw new ArgumentNullException(nameof(world));
         _plan = plan ?? throw new ArgumentNullException(nameof(plan));
@@ -62,6 +72,9 @@ public sealed class TrialRun
             trial.Place.Start ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
         _start = new Vector3D(start.X, start.Y, 0);
         _follower = trial.Place.Path.Count > 0 ? new PathFollower(trial.Place.Path, plan.SpeedMetresPerSecond) : null;
+        _staging = scenario is { } staged
+            ? new TrialStaging(world.Stage, world.World, staged.Template, staged.Seed, start, trial.Place.HeadingDegrees)
+            : null;
         _phaseBegan = world.Clock.Milliseconds;
     }
 
@@ -145,7 +158,7 @@ public sealed class TrialRun
 
         // Held above the ground as far as it is known: without collision, the vehicle would fall through it.
         _world.Grip.Hold(Vehicle, _start with { Z = (ground ?? 0) + AboveGroundMetres });
-        if (Mishappened())
+        if (Mishappened() || !HasPlace())
         {
             return;
         }
@@ -159,6 +172,7 @@ public sealed class TrialRun
             _world.Controls.SetTimeOfDay(_trial.Hour);
             _world.Settling.Begin();
             Enter(TrialPhase.Settling);
+            _staging?.Place();
         }
         else if (InPhaseMilliseconds > MaxLoadingMilliseconds)
         {
@@ -169,14 +183,23 @@ public sealed class TrialRun
     private void Settle()
     {
         SetDensities();
-        if (Mishappened())
+        if (Mishappened() || IsUnstaged())
         {
             return;
         }
 
         bool isSettled = _world.Settling.Look();
-        if (InPhaseMilliseconds < MinSettlingMilliseconds || (!isSettled && InPhaseMilliseconds < MaxSettlingMilliseconds))
+        if (
+            InPhaseMilliseconds < MinSettlingMilliseconds
+            || (!(isSettled && _staging is null or { IsReady: true }) && InPhaseMilliseconds < MaxSettlingMilliseconds)
+        )
         {
+            return;
+        }
+
+        if (_staging is { IsReady: false })
+        {
+            Stop("The game did not make the actors of the scenario in time.");
             return;
         }
 
@@ -186,7 +209,7 @@ public sealed class TrialRun
         }
 
         _world.Controls.SetTimeOfDay(_trial.Hour);
-        if (!_world.Harvest.Begin(_folder, _options, _trial.Camera.VerticalFovDegrees))
+        if (!_world.Harvest.Begin(_folder, _options, _trial.Camera.VerticalFovDegrees, _staging?.Kept))
         {
             Stop("The harvest did not begin; the message before this one says why.");
             return;
@@ -195,7 +218,11 @@ public sealed class TrialRun
         _hasFrames = true;
         _watch = new MishapWatch();
         Enter(TrialPhase.Driving);
-        if (_follower is null)
+        if (_staging is { } staging)
+        {
+            staging.Begin();
+        }
+        else if (_follower is null)
         {
             _world.Grip.DriveAlongRoads(Vehicle, _plan.SpeedMetresPerSecond);
         }
@@ -204,12 +231,18 @@ public sealed class TrialRun
     private void Drive()
     {
         SetDensities();
-        if (Mishappened())
+        if (Mishappened() || IsUnstaged())
         {
             return;
         }
 
-        if ((_follower?.IsAtEnd ?? false) || _metres >= _trial.Place.Metres || _world.Harvest.Captured >= _options.MaxFrames)
+        _staging?.Tick();
+        if (
+            _staging is { Outcome: not null }
+            || (_follower?.IsAtEnd ?? false)
+            || _metres >= _trial.Place.Metres
+            || _world.Harvest.Captured >= _options.MaxFrames
+        )
         {
             Leave();
             return;
@@ -268,6 +301,11 @@ public sealed class TrialRun
 
     private double Heading()
     {
+        if (_staging is { } staging)
+        {
+            return staging.HeadingDegrees;
+        }
+
         if (_follower is { } follower)
         {
             return follower.StartHeadingDegrees;
@@ -281,6 +319,44 @@ public sealed class TrialRun
         return _world.Roads.ClosestRoad(_start) is { } road ? LaneDirection.HeadingAt(road, _start) : 0;
     }
 
+    /// <summary>Whether the place of a scenario is known; the vehicle is held at the place of the trial until then.</summary>
+    private bool HasPlace()
+    {
+        if (_staging is not { } staging)
+        {
+            return true;
+        }
+
+        if (staging.Start is not null)
+        {
+            return true;
+        }
+
+        staging.FindPlace();
+        if (staging.Start is { } start)
+        {
+            _start = _start with { X = start.X, Y = start.Y };
+        }
+        else if (!IsUnstaged() && InPhaseMilliseconds > MaxLoadingMilliseconds)
+        {
+            Stop("The roads around the place are not known, which the scenario needs: give a road file under [Roads].");
+        }
+
+        return false;
+    }
+
+    /// <summary>Ends the attempt if its scenario cannot happen.</summary>
+    private bool IsUnstaged()
+    {
+        if (_staging?.Problem is not { } problem)
+        {
+            return false;
+        }
+
+        Stop(problem);
+        return true;
+    }
+
     private void SetDensities() => _world.Game.SetDensities(_plan.Traffic, _plan.Pedestrians, _plan.Parked);
 
     private void Enter(TrialPhase phase) => (Phase, _phaseBegan) = (phase, _world.Clock.Milliseconds);
@@ -289,7 +365,14 @@ public sealed class TrialRun
     {
         // First, so that an exception of the game does not repeat all this.
         Enter(TrialPhase.Writing);
-        _world.Harvest.End();
-        _world.Grip.GiveBack();
+        try
+        {
+            _world.Harvest.End();
+            _world.Grip.GiveBack();
+        }
+        finally
+        {
+            _staging?.End();
+        }
     }
 }

@@ -31,6 +31,9 @@ public sealed record TrialSurroundings
     /// <summary>Tells when the picture has settled.</summary>
     public required PictureSettling Settling { get; init; }
 
+    /// <summary>The actors of scenarios, and the roads on which they drive.</summary>
+    public required TrialStage Stage { get; init; }
+
     /// <summary>The harvests.</summary>
     public required ITrialHarvest Harvest { get; init; }
 

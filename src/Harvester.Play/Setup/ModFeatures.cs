@@ -276,6 +276,12 @@ public sealed class ModFeatures
                 Driven = _driven,
                 World = _ports.Game.World,
                 Roads = _adapters.Roads,
+                Stage = new TrialStage(
+                    _ports.Actors,
+                    _ports.Roads.Near,
+                    _setup.Player.LaneWidthMetres,
+                    _setup.Player.NarrowLaneWidthMetres
+                ),
                 Settling = new PictureSettling(_setup.Screen, _setup.Clock),
                 Harvest = new TrialHarvest(Harvest, Mount, _setup.Messages),
                 Clock = _setup.Clock,

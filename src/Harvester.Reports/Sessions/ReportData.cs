@@ -4,6 +4,7 @@ using Harvester.Datasets.Colours;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Json;
@@ -25,6 +26,7 @@ internal static class ReportData
         SessionInfo info,
         SessionStatistics statistics,
         IReadOnlyList<FrameLabel> frames,
+        IEnumerable<DrivingEvent> events,
         double pictureScale,
         bool hasPredictions,
         bool showsPosts
@@ -46,6 +48,7 @@ internal static class ReportData
             )
         );
         FrameEvents.Write(json, FrameEvents.Of(frames));
+        ReportEvents.Write(json, events, frames);
         WriteObjects(json, frames.SelectMany(frame => frame.Objects));
         json.WriteStartArray("frames");
         foreach (FrameLabel frame in frames)

@@ -75,6 +75,7 @@ public sealed class ReportWriter
                             info,
                             statistics,
                             frames,
+                            _session.ReadEvents(),
                             embedder?.Scale ?? 1,
                             _predictions is not null,
                             _limits.ShowsPosts

@@ -18,7 +18,7 @@ internal sealed class ChangeSchedule(IReadOnlyList<TimedChange> changes)
         for (int i = 0; i < _left.Count; i++)
         {
             TimedChange change = _left[i];
-            if (taken > change.Frame || game.Shown.TimeSeconds >= change.Seconds)
+            if (taken > change.Frame || game.Shown.TimeSeconds >= change.Seconds || game.Shown.GameFrame >= change.GameFrame)
             {
                 _left.RemoveAt(i--);
                 try

@@ -10,9 +10,9 @@ public static partial class ChangeText
 {
     /// <summary>What the text may be, for messages.</summary>
     public const string Form =
-        "MOMENT: CHANGE, where MOMENT is 'frame N' or a game time as '12.5s', and CHANGE is 'ID brakes A', 'ID brakes A for S', "
-        + "'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels or 'ego', A is in m/s², "
-        + "S in seconds, V in m/s";
+        "MOMENT: CHANGE, where MOMENT is 'frame N', a game time as '12.5s' or 'at EVENT', and CHANGE is 'ID brakes A', "
+        + "'ID brakes A for S', 'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels, an actor "
+        + "of the scenario or 'ego', EVENT an event of the scenario, A is in m/s², S in seconds, V in m/s";
 
     /// <summary>Tyres brake no harder, m/s².</summary>
     private const double MaxDeceleration = 9;
@@ -43,22 +43,25 @@ public static partial class ChangeText
             return null;
         }
 
-        int? id = Whole(match.Groups["id"]);
+        int? id = Whole(match.Groups["number"]);
         WorldChange? change = ChangeOf(match);
-        if (change is null || (match.Groups["id"].Success && !match.Groups["ego"].Success && id is null))
+        if (change is null || (match.Groups["number"].Success && id is null))
         {
             return null;
         }
 
         int? frame = Whole(match.Groups["frame"]);
         double? seconds = Number(match.Groups["time"], MaxSeconds);
-        return frame is null && seconds is null
+        string? begun = match.Groups["event"] is { Success: true, Value: var name } ? name : null;
+        return frame is null && seconds is null && begun is null
             ? null
             : new TimedChange(text, change)
             {
                 Frame = frame,
                 Seconds = seconds,
+                Event = begun,
                 Id = id,
+                Actor = match.Groups["actor"] is { Success: true, Value: var actor } ? actor : null,
             };
     }
 
@@ -94,8 +97,10 @@ public static partial class ChangeText
             : null;
 
     [GeneratedRegex(
-        @"^(?:frame (?<frame>\d+)|(?<time>[\d.]+) ?s): (?:without (?<without>(?<id>\d+))|weather (?<weather>\w+)"
-            + @"|(?<id>(?<ego>ego)|\d+) (?<verb>brakes|drives) (?<value>[\d.]+)(?: for (?<for>[\d.]+) ?s?)?)\z",
+        @"^(?:frame (?<frame>\d+)|(?<time>[\d.]+) ?s|at (?<event>[A-Za-z0-9][A-Za-z0-9-]*)): "
+            + @"(?:without (?<without>(?<number>\d+)|(?!ego\z)(?<actor>[A-Za-z][A-Za-z0-9-]*))|weather (?<weather>\w+)"
+            + @"|(?:ego|(?<number>\d+)|(?<actor>[A-Za-z][A-Za-z0-9-]*)) (?<verb>brakes|drives) (?<value>[\d.]+)"
+            + @"(?: for (?<for>[\d.]+) ?s?)?)\z",
         RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
         matchTimeoutMilliseconds: 1000
     )]

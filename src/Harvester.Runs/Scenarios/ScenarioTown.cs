@@ -29,6 +29,10 @@ public sealed class ScenarioTown
     /// <summary>A network of more nodes than a town is looked at in regions.</summary>
     private const int TownNodes = 2000;
 
+    /// <summary>The lanes of so many regions are kept.</summary>
+    private const int MaxKept = 6;
+
+    private readonly List<(Vector2D Near, LaneNetwork Map)> _regions = [];
     private readonly int _seed;
     private readonly Lazy<LaneNetwork> _whole;
 
@@ -64,24 +68,8 @@ public sealed class ScenarioTown
     /// lane.</param>
     /// <param name="seed">Chooses models and colours.</param>
     /// <param name="reason">Why it cannot happen there; null if it can.</param>
-    public BoundScenario? At(Scenario scenario, Vector2D near, double? headingDegrees, int seed, out string? reason)
-    {
-        LaneNetwork map = MapAround(near);
-        MapLane[] lanes = [.. map.Index.Near(new Vector3D(near.X, near.Y, 0), 15).Where(lane => lane.Junction is null)];
-        Vector2D? wanted = headingDegrees is { } heading ? Ground(Axes.FromHeading(heading).Forward) : null;
-        MapLane? lane = lanes
-            .Where(lane => wanted is not { } direction || lane.StartDirection.Dot(direction) > 0)
-            .MinBy(lane => lane.Centre.Min(point => (Ground(point) - near).Length));
-        if (lane is null)
-        {
-            reason = FormattableString.Invariant($"No lane is at {near.X}, {near.Y}.");
-            return null;
-        }
-
-        var track = new LaneTrack(lane.Centre);
-        double along = Math.Clamp(track.Locate(new Vector3D(near.X, near.Y, 0)).At, 1, Math.Max(1, track.To - 1));
-        return ScenarioBinder.Bind(scenario, map, track.PositionAt(along), track.DirectionAt(along), seed, out reason);
-    }
+    public BoundScenario? At(Scenario scenario, Vector2D near, double? headingDegrees, int seed, out string? reason) =>
+        ScenarioBinder.BindNear(scenario, MapAround(near), near, headingDegrees, seed, out reason);
 
     /// <summary>Binds a scenario at places where it can happen, in an order that the seed gives, each away from those before.</summary>
     /// <param name="scenario">The scenario, with its parameters drawn.</param>
@@ -130,10 +118,30 @@ public sealed class ScenarioTown
         }
     }
 
-    private LaneNetwork MapAround(Vector2D near) =>
-        Network.Nodes.Count <= TownNodes
-            ? _whole.Value
-            : MapOf(RoadsAround.Of(Network, new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach)), MapContent.None);
+    private LaneNetwork MapAround(Vector2D near) => Network.Nodes.Count <= TownNodes ? _whole.Value : RegionAround(near);
+
+    /// <summary>The lanes around a place of a large network, of which scenarios with the same seed ask for the same ones.</summary>
+    private LaneNetwork RegionAround(Vector2D near)
+    {
+        lock (_regions)
+        {
+            int known = _regions.FindIndex(region => region.Near == near);
+            if (known >= 0)
+            {
+                return _regions[known].Map;
+            }
+        }
+
+        var area = new Box2D(near.X - Reach, near.Y - Reach, near.X + Reach, near.Y + Reach);
+        LaneNetwork map = MapOf(RoadsAround.Of(Network, area), MapContent.None);
+        lock (_regions)
+        {
+            _regions.RemoveRange(0, Math.Max(0, _regions.Count + 1 - MaxKept));
+            _regions.Add((near, map));
+        }
+
+        return map;
+    }
 
     private static LaneNetwork MapOf(RoadNetwork roads, MapContent content) =>
         LaneNetwork.Of(new RoadCurves(roads), new LaneModel(roads, RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth), content);

@@ -9,10 +9,15 @@ internal sealed class StagedMotion
     public const double StoppingDeceleration = 3;
     private const double HardestBraking = 8;
 
+    /// <summary>Acceleration after a change that is over, m/s².</summary>
+    private const double ResumingAcceleration = 2;
+
     private StagedWay? _way;
     private double _wanted;
     private double _acceleration = 1;
     private bool _isBackwards;
+    private double _secondsToResume = double.PositiveInfinity;
+    private double _resumed;
 
     /// <summary>An actor that rolls straight on from a place.</summary>
     /// <param name="ground">Where it is, on the ground, metres, world.</param>
@@ -41,6 +46,9 @@ internal sealed class StagedMotion
     /// <summary>Whether it drives on whatever stands in its way.</summary>
     public bool IgnoresOthers { get; private set; }
 
+    /// <summary>Whether an intervention has taken it out of the hands of whoever staged it, whose orders it then no longer takes.</summary>
+    public bool IsChanged { get; private set; }
+
     /// <summary>Horizontal velocity, metres per second.</summary>
     public Vector3D Velocity => Forward * (_isBackwards ? -Speed : Speed);
 
@@ -54,6 +62,30 @@ internal sealed class StagedMotion
 
     public void SetSpeed(double speed, double acceleration) => (_wanted, _acceleration) = (speed, acceleration);
 
+    /// <summary>Lets it go on along its path at another speed, without regard to later orders.</summary>
+    /// <param name="speed">Metres per second.</param>
+    /// <param name="acceleration">By how much its speed changes at most, m/s².</param>
+    /// <param name="seconds">Time after which it takes the speed that was ordered before; null for never.</param>
+    public void Change(double speed, double acceleration, double? seconds)
+    {
+        // Of several changes, what was ordered before the first one is meant.
+        _resumed = IsChanged ? _resumed : _wanted;
+        _secondsToResume = seconds ?? double.PositiveInfinity;
+        IsChanged = true;
+        SetSpeed(speed, acceleration);
+    }
+
+    /// <summary>Lets the time of a change pass.</summary>
+    public void Pass(double seconds)
+    {
+        _secondsToResume -= seconds;
+        if (_secondsToResume <= 0)
+        {
+            _secondsToResume = double.PositiveInfinity;
+            SetSpeed(_resumed, ResumingAcceleration);
+        }
+    }
+
     /// <summary>Stops it at once, as where it meets a body; it moves on if that goes.</summary>
     public void Stop() => Speed = 0;
 
@@ -66,6 +98,7 @@ internal sealed class StagedMotion
         (Ground, Forward, Speed) = (ground, forward, speed);
         _way = null;
         _wanted = 0;
+        _secondsToResume = double.PositiveInfinity;
     }
 
     /// <summary>Where it would be after a time step, and with which speed.</summary>

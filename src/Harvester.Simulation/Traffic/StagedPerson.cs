@@ -58,6 +58,7 @@ internal sealed class StagedPerson : IPerson
             return;
         }
 
+        Motion.Pass(seconds);
         StagedStep step = Motion.After(seconds);
         _walked += Math.Max(0, step.Along - Motion.Along);
         Motion.Take(step);

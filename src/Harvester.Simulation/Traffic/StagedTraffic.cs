@@ -19,6 +19,7 @@ internal sealed class StagedTraffic(BodyIndex<Vehicle> vehicles, BodyIndex<Footp
     public void Move(Vehicle vehicle, StagedMotion motion, double seconds, BodyIndex<IPerson> people)
     {
         Vector3D before = vehicle.Pose.Position;
+        motion.Pass(seconds);
         StagedStep step = motion.After(
             seconds,
             motion.IgnoresOthers ? double.PositiveInfinity : SpeedBehindOthers(vehicle, motion, people)

@@ -267,7 +267,7 @@ internal sealed class SimulatedWorld
 
     /// <summary>Makes a change of a driver, or removes an entity.</summary>
     /// <exception cref="ArgumentException">There is no such vehicle or person.</exception>
-    public void Make(WorldChange change) => new WorldChanges(_vehicles, _walkers, _people, _traffic).Make(change, TimeSeconds);
+    public void Make(WorldChange change) => new WorldChanges(_vehicles, _walkers, _people, _traffic, Stage).Make(change, TimeSeconds);
 
     public void Advance(double seconds)
     {

@@ -17,8 +17,17 @@ internal static class StageStart
     private const double LightStep = 0.25;
     private const double LongestWait = 60;
 
+    /// <summary>
+    /// Lanes lead along a way if their middles and ends are at most this far beside it, metres: the town's ways through junctions and those
+    /// of the map are other curves between the same ends.
+    /// </summary>
+    private const double MaxBeside = 4;
+
+    /// <summary>The way is followed so far, metres, as scenarios happen within it.</summary>
+    private const double Followed = 120;
+
     /// <summary>The lane on which the ego begins.</summary>
-    /// <exception cref="ArgumentException">No lane leads there in its direction.</exception>
+    /// <exception cref="ArgumentException">No lane leads there in its direction, or the lanes do not lead along its way.</exception>
     public static (LanePath Path, double Distance) Of(LaneGraph lanes, StageSetting setting)
     {
         Vector3D forward = Axes.FromHeading(setting.HeadingDegrees).Forward;
@@ -29,13 +38,43 @@ internal static class StageStart
                 .Where(place => Turn(place) < MaxTurn)
                 .OrderBy(place => Math.Abs(place.RightOffset) + (MetresPerRadian * Turn(place))),
         ];
-        return near.Length > 0
-            ? (near[0].Path, near[0].Distance)
-            : throw new ArgumentException(
+        if (near.Length == 0)
+        {
+            throw new ArgumentException(
                 FormattableString.Invariant($"No lane leads that way at {setting.Ground.X:0.0}, {setting.Ground.Y:0.0}.")
             );
+        }
+
+        CheckWay(setting.Way, near[0].Path, near[0].Distance);
+        return (near[0].Path, near[0].Distance);
 
         double Turn(LanePlace place) => Math.Abs(Horizontal.Turn(place.Path.Line.TangentAt(place.Distance), forward));
+    }
+
+    /// <summary>Checks that who drives along a way comes along it.</summary>
+    private static void CheckWay(IReadOnlyList<Vector3D> way, LanePath path, double distance)
+    {
+        double length = 0;
+        for (int i = 1; i < way.Count; i++)
+        {
+            length += Horizontal.Distance(way[i], way[i - 1]);
+        }
+
+        double end = Math.Min(length, Followed);
+        double driven = path.Length - distance;
+        while (driven < end && path.Next.Count > 0)
+        {
+            path = Along(way, path.Next);
+            double half = driven + (path.Length / 2);
+            driven += path.Length;
+            if (
+                (half < end && DistanceTo(way, path.Line.PositionAt(path.Length / 2)) > MaxBeside)
+                || (driven < end && DistanceTo(way, path.Line.PositionAt(path.Length)) > MaxBeside)
+            )
+            {
+                throw new ArgumentException(FormattableString.Invariant($"The lanes lead elsewhere {half:0} m ahead of the ego."));
+            }
+        }
     }
 
     /// <summary>Seconds to let pass until the lights before the ego are green when it is to come to them.</summary>

@@ -8,8 +8,18 @@ namespace Harvester.Simulation.World;
 /// <param name="walkers">The people who walk by themselves.</param>
 /// <param name="people">All people.</param>
 /// <param name="traffic">The traffic.</param>
-internal sealed class WorldChanges(List<Vehicle> vehicles, List<Walker> walkers, List<IPerson> people, TrafficFlow traffic)
+/// <param name="stage">The actors that somebody has put into the world; null if it has no stage.</param>
+internal sealed class WorldChanges(
+    List<Vehicle> vehicles,
+    List<Walker> walkers,
+    List<IPerson> people,
+    TrafficFlow traffic,
+    WorldStage? stage
+)
 {
+    /// <summary>Acceleration of an actor that takes another speed, m/s².</summary>
+    private const double UsualAcceleration = 2;
+
     /// <summary>Makes a change of a driver, or removes an entity.</summary>
     /// <param name="change">The change.</param>
     /// <param name="timeSeconds">The world's time.</param>
@@ -18,11 +28,17 @@ internal sealed class WorldChanges(List<Vehicle> vehicles, List<Walker> walkers,
     {
         switch (change.Kind)
         {
+            case WorldChangeKind.Brake when MotionOf(change) is { } motion:
+                motion.Change(0, change.Value, change.Seconds);
+                break;
+            case WorldChangeKind.Drive when MotionOf(change) is { } motion:
+                motion.Change(change.Value, UsualAcceleration, seconds: null);
+                break;
             case WorldChangeKind.Brake:
                 Brake(VehicleOf(change), change, timeSeconds);
                 break;
             case WorldChangeKind.Drive:
-                Drive(VehicleOf(change), change.Value);
+                VehicleOf(change).CruiseSpeed = change.Value;
                 break;
             case WorldChangeKind.Remove:
                 Remove(change);
@@ -32,29 +48,20 @@ internal sealed class WorldChanges(List<Vehicle> vehicles, List<Walker> walkers,
         }
     }
 
-    private static void Brake(Vehicle vehicle, WorldChange change, double timeSeconds)
-    {
-        if (vehicle.Staged is { } motion)
-        {
-            motion.SetSpeed(0, change.Value);
-            return;
-        }
-
+    private static void Brake(Vehicle vehicle, WorldChange change, double timeSeconds) =>
         vehicle.Ordered = new OrderedBraking(change.Value, change.Seconds is { } seconds ? timeSeconds + seconds : double.PositiveInfinity);
-    }
-
-    private static void Drive(Vehicle vehicle, double speed)
-    {
-        const double usualAcceleration = 2;
-        vehicle.Staged?.SetSpeed(speed, usualAcceleration);
-        vehicle.CruiseSpeed = speed;
-    }
 
     private void Remove(WorldChange change)
     {
         if (change.Handle == 0 || change.Handle == vehicles[0].Handle)
         {
             throw new ArgumentException("The ego vehicle cannot be taken out of the world.", nameof(change));
+        }
+
+        if (MotionOf(change) is not null)
+        {
+            stage!.Remove(change.Handle);
+            return;
         }
 
         if (people.Find(person => person.Handle == change.Handle) is { } person)
@@ -68,6 +75,8 @@ internal sealed class WorldChanges(List<Vehicle> vehicles, List<Walker> walkers,
         vehicles.Remove(vehicle);
         traffic.Leave(vehicle);
     }
+
+    private StagedMotion? MotionOf(WorldChange change) => change.Handle == 0 ? null : stage?.MotionOf(change.Handle);
 
     private Vehicle VehicleOf(WorldChange change) =>
         change.Handle == 0

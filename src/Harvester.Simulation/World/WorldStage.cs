@@ -104,9 +104,9 @@ internal sealed class WorldStage
     }
 
     public void Follow(int handle, StageOrder order) =>
-        Motion(handle)?.Follow(new StagedWay(order.Path), order.Speed, order.Acceleration, order.IsBackwards, order.IgnoresOthers);
+        MotionToOrder(handle)?.Follow(new StagedWay(order.Path), order.Speed, order.Acceleration, order.IsBackwards, order.IgnoresOthers);
 
-    public void SetSpeed(int handle, double speed, double acceleration) => Motion(handle)?.SetSpeed(speed, acceleration);
+    public void SetSpeed(int handle, double speed, double acceleration) => MotionToOrder(handle)?.SetSpeed(speed, acceleration);
 
     public void SetDoor(int handle, int side, bool isOpen)
     {
@@ -125,9 +125,12 @@ internal sealed class WorldStage
         }
     }
 
+    /// <summary>Takes an actor out of the world.</summary>
+    /// <param name="handle">Its handle, or that of its rider.</param>
     public void Remove(int handle)
     {
-        if (_actors.Remove(handle, out Vehicle? vehicle))
+        int driven = _actors.FirstOrDefault(actor => actor.Key == handle || (handle != 0 && actor.Value.RiderHandle == handle)).Key;
+        if (_actors.Remove(driven, out Vehicle? vehicle))
         {
             _vehicles.Remove(vehicle);
             _traffic.Leave(vehicle);
@@ -166,10 +169,15 @@ internal sealed class WorldStage
     private static StageState StateOf(Pose pose, Vector3D velocity, StagedMotion motion, Model model) =>
         new(pose, velocity, motion.IsAtEnd, (model.Max.Y - model.Min.Y) / 2, (model.Max.X - model.Min.X) / 2);
 
-    private StagedMotion? Motion(int handle) =>
+    /// <summary>The motion of an actor; null if there is no such actor.</summary>
+    /// <param name="handle">Its handle, or that of its rider.</param>
+    public StagedMotion? MotionOf(int handle) =>
         _actors.TryGetValue(handle, out Vehicle? vehicle) ? vehicle.Staged
         : _persons.TryGetValue(handle, out StagedPerson? person) ? person.Motion
-        : null;
+        : _actors.Values.FirstOrDefault(ridden => ridden.RiderHandle != 0 && ridden.RiderHandle == handle)?.Staged;
+
+    /// <summary>The motion of an actor that still takes orders.</summary>
+    private StagedMotion? MotionToOrder(int handle) => MotionOf(handle) is { IsChanged: false } motion ? motion : null;
 
     private void Lead(IReadOnlyList<Vector3D> way)
     {

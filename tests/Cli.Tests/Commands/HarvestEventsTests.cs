@@ -1,7 +1,12 @@
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Nodes;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -56,6 +61,69 @@ public sealed class HarvestEventsTests : IDisposable
 
         int marks = new SessionReader(session).ReadLabels().Sum(label => label.Events!.Count);
         Assert.Equal(marks + 1, File.ReadAllLines(_folder.PathOf("csv/events.csv")).Length);
+        CheckReport(session);
+        CheckNuScenes(session);
+    }
+
+    /// <summary>The table of the report has every event, with its kind and participants.</summary>
+    private void CheckReport(string session)
+    {
+        CliRun.Of("report", session, "--out", _folder.PathOf("report.html")).AssertDone();
+        string page = File.ReadAllText(_folder.PathOf("report.html"));
+        int from = page.IndexOf("\"eventRows\":", StringComparison.Ordinal) + "\"eventRows\":".Length;
+        var json = new Utf8JsonReader(Encoding.UTF8.GetBytes(page[from..]));
+        JsonArray rows = JsonNode.Parse(ref json)!.AsArray();
+        DrivingEvent[] events = [.. new SessionReader(session).ReadEvents().OrderBy(each => each.Id)];
+        Assert.Equal(events.Select(each => each.Id.ToString()), rows.Select(row => (string?)row![1]));
+        Assert.Equal(events.Select(each => JsonName.Of(each.Kind)), rows.Select(row => (string?)row![2]));
+        Assert.All(events.Zip(rows), each => Assert.Equal(each.First.Participants.Count, ((string?)each.Second![5])!.Split(", ").Length));
+        Assert.Contains(rows, row => row![0] is not null);
+    }
+
+    /// <summary>Samples of nuScenes have the attributes of the events of the ego, and boxes those of the events of the object.</summary>
+    private void CheckNuScenes(string session)
+    {
+        CliRun.Of("export", session, "--format", "nuscenes", "--out", _folder.PathOf("nuscenes")).AssertDone();
+        CliRun.Of("validate", _folder.PathOf("nuscenes")).AssertDone();
+        Dictionary<string, string> names = Table("attribute").ToDictionary(row => (string)row!["token"]!, row => (string)row!["name"]!);
+        Dictionary<int, DrivingEvent> events = new SessionReader(session).ReadEvents().ToDictionary(each => each.Id);
+        FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
+        Dictionary<long, FrameLabel> byTime = labels.ToDictionary(label => (long)Math.Round(label.TimeSeconds * 1e6));
+        Dictionary<string, FrameLabel> samples = [];
+        const long start = 1_577_836_800_000_000;
+        foreach (JsonNode? row in Table("sample"))
+        {
+            FrameLabel label = samples[(string)row!["token"]!] = byTime[(long)row["timestamp"]! - start];
+            Assert.Equal(Expected(label, null), Named(row));
+        }
+
+        int found = 0;
+        foreach (JsonNode? row in Table("sample_annotation"))
+        {
+            // Boxes of nuScenes have no numbers: the object is the one of the label in the same place.
+            found += Named(row!).Length;
+            FrameLabel label = samples[(string)row!["sample_token"]!];
+            Assert.All(Named(row!), name => Assert.Contains(label.Events!, mark => "event." + JsonName.Of(mark.Kind) == name));
+        }
+
+        int expected = samples.Values.Sum(label => label.Objects.Where(item => IsBox(item)).Sum(item => Expected(label, item.Id).Length));
+        Assert.Equal(expected, found);
+        Assert.NotEmpty(names.Values.Where(name => name.StartsWith("event.", StringComparison.Ordinal)));
+
+        JsonArray Table(string name) => JsonNode.Parse(File.ReadAllText(_folder.PathOf($"nuscenes/v1.0-gta/{name}.json")))!.AsArray();
+
+        string[] Named(JsonNode row) => [.. row["event_attribute_tokens"]!.AsArray().Select(token => names[(string)token!]).Order()];
+
+        string[] Expected(FrameLabel label, int? id) =>
+            [
+                .. label
+                    .Events!.Where(mark => events[mark.Id].Participants.Any(participant => participant.Object == id))
+                    .Select(mark => "event." + JsonName.Of(mark.Kind))
+                    .Distinct()
+                    .Order(),
+            ];
+
+        static bool IsBox(ObjectLabel item) => VehicleClasses.AreVehicles(item.Class) || item.Class == ObjectClass.Pedestrian;
     }
 
     [Fact]

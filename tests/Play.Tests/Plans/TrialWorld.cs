@@ -38,6 +38,12 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
             World = this,
             Roads = new FakeRoadSource(new RoadNetwork([], [])),
             Settling = new PictureSettling(this, _clock),
+            Stage = new TrialStage(
+                Staged,
+                place => NetworkOfStage is { } network ? new FixedRoads(network, "test").Near(place) : null,
+                RoadGeometry.LaneWidth,
+                RoadGeometry.NarrowLaneWidth
+            ),
             Harvest = this,
             Clock = _clock,
             Options = new HarvestOptions { Rig = Rig, Freeze = Freezes },
@@ -45,6 +51,17 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         };
 
     private TrialSurroundings? _surroundings;
+
+    /// <summary>The actors of scenarios.</summary>
+    public FakeTrialStage Staged => _staged ??= new FakeTrialStage(isDriven => _isDriven = isDriven);
+
+    private FakeTrialStage? _staged;
+
+    /// <summary>The roads on which scenarios are staged; null while they are not known.</summary>
+    public RoadNetwork? NetworkOfStage { get; set; }
+
+    /// <summary>What the last session keeps of its scenario.</summary>
+    public KeptScenario? KeptOfScenario { get; private set; }
 
     /// <summary>The measured pace of harvests.</summary>
     public double? RealSecondsPerGameSecond { get; set; }
@@ -248,10 +265,11 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         return GrabResult.Good;
     }
 
-    public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees)
+    public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees, KeptScenario? scenario = null)
     {
         if (BeginsHarvests)
         {
+            KeptOfScenario = scenario;
             Directory.CreateDirectory(folder);
             (IsOn, HarvestedWith, _ticksOfHarvest, Captured, _maxFrames) = (true, options, 0, 0, options.MaxFrames!.Value);
         }

@@ -28,6 +28,19 @@ public sealed class ChangeTextTests
         );
     }
 
+    [Fact]
+    public void Actors_and_events_of_scenarios_are_read_by_name()
+    {
+        IReadOnlyList<TimedChange>? changes = ChangeText.Read(
+            "at cut: other brakes 3 for 8; at 2nd: without child-2; frame 1: egon drives 5"
+        );
+
+        Assert.NotNull(changes);
+        Assert.Equal(["cut", "2nd", null], changes.Select(change => change.Event));
+        Assert.Equal(["other", "child-2", "egon"], changes.Select(change => change.Actor));
+        Assert.All(changes, change => Assert.Null(change.Id));
+    }
+
     [Theory]
     [InlineData("")]
     [InlineData("ego brakes 6")]
@@ -39,6 +52,9 @@ public sealed class ChangeTextTests
     [InlineData("frame 1: ego drives 61")]
     [InlineData("frame 1: ego drives 5 for 3")]
     [InlineData("frame 1: without ego")]
+    [InlineData("at : ego brakes 6")]
+    [InlineData("at cut ego brakes 6")]
+    [InlineData("frame 1: 2nd brakes 6")]
     [InlineData("frame 1: weather sunny")]
     [InlineData("frame 1: ego brakes 6;")]
     [InlineData("frame 1: ego brakes 6\n")]

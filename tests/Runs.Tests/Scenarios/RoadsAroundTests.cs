@@ -1,7 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Roads;
-using Harvester.Runs.Scenarios;
 using Harvester.Simulation.World;
 
 namespace Harvester.Runs.Tests.Scenarios;

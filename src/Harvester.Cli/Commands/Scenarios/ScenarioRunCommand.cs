@@ -24,9 +24,17 @@ internal sealed class ScenarioRunCommand
         + "the command says why, and the exit code is 2; with --seeds it goes on with the next one, and the exit code is 4.\n"
         + "scenario.json in the session has the values, the actors' handles and when each event began and ended. Labels have what\n"
         + "happened, whatever was intended.\n\n"
+        + "With --change, DIR has the session base, and one more for each --change: change-01, change-02 and so on. All agree to the byte\n"
+        + "up to the change (docs/counterfactuals.md). Several changes of one run are separated by semicolons:\n"
+        + "  at cut: ego brakes 6            when the event cut begins, the ego brakes with 6 m/s2 to a stop and stands\n"
+        + "  at cut: other brakes 3 for 8    the actor other brakes and stands, 8 s in all, instead of following its events\n"
+        + "  frame 10: other drives 15       after frame 10, the actor aims for 15 m/s, and follows no further event\n"
+        + "  2.5s: without other             from the game time 2.5 s on, the actor is gone\n"
+        + "  frame 0: weather rain           it rains, and the road is slippery\n\n"
         + "Examples:\n"
         + "  harvester scenario run data/scenarios/cut-in-left.json --out out\n"
-        + "  harvester scenario run data/scenarios/hard-braking-leader.json --seeds 1-20 --out braking --brake off";
+        + "  harvester scenario run data/scenarios/hard-braking-leader.json --seeds 1-20 --out braking --brake off\n"
+        + "  harvester scenario run data/scenarios/cut-in-left.json --out otherwise --change \"at cut: ego brakes 6\"";
 
     private Option<string> Out { get; } =
         new("--out")
@@ -60,6 +68,13 @@ internal sealed class ScenarioRunCommand
             Description = "Whether the ego's driver minds the actors: on, or off to drive on as if they were not there",
             HelpName = "on|off",
             DefaultValueFactory = _ => "on",
+        };
+
+    private Option<string[]> Change { get; } =
+        new("--change")
+        {
+            Description = "Stage the scenario again with this changed: MOMENT: CHANGE, see below; repeatable, one run for each",
+            HelpName = "CHANGE",
         };
 
     private Option<string> Crashes { get; } =
@@ -105,6 +120,7 @@ internal sealed class ScenarioRunCommand
             Roads,
             Near,
             Brake,
+            Change,
             Crashes,
             Size,
             Format,
@@ -164,6 +180,7 @@ internal sealed class ScenarioRunCommand
         CancellationToken cancellation
     )
     {
+        CounterfactualRuns? changed = ChangedIn(template, parsed);
         var planned = new PlannedScenario(template, seed) { IsEgoBlind = !IsOn(parsed, Brake) };
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         HarvestPlan ordinary = ScenarioHarvest.Of(
@@ -191,13 +208,48 @@ internal sealed class ScenarioRunCommand
             DayOfYear = Moment.DayOfYear(parsed),
             Detail = DetailOption.Parse(parsed.GetRequiredValue(DetailOf)),
         };
-        return HarvestRun.Of(
-            terminal,
-            plan,
-            FormattableString.Invariant($"{CommandText.Of(parsed)} (seed {seed})"),
-            !parsed.GetValue(NoReport),
-            cancellation
-        );
+        string command = FormattableString.Invariant($"{CommandText.Of(parsed)} (seed {seed})");
+        bool hasReport = !parsed.GetValue(NoReport);
+        return changed is null
+            ? HarvestRun.Of(terminal, plan, command, hasReport, cancellation)
+            : changed.Harvest(terminal, plan, command, hasReport, cancellation);
+    }
+
+    /// <summary>The changes of the command line; null if there are none.</summary>
+    private CounterfactualRuns? ChangedIn(ScenarioTemplate template, ParseResult parsed)
+    {
+        if (parsed.GetValue(Change) is not { Length: > 0 } texts)
+        {
+            return null;
+        }
+
+        if (parsed.GetValue(Seeds) is not null)
+        {
+            throw new UsageException("--change takes one scenario: give --seed instead of --seeds.");
+        }
+
+        if (parsed.GetValue(Overwrite) || parsed.GetValue(Resume))
+        {
+            throw new UsageException(
+                "--overwrite and --resume do not apply to --change: the same command continues what it left unfinished."
+            );
+        }
+
+        var runs = new CounterfactualRuns(texts);
+        foreach (TimedChange change in runs.Changes)
+        {
+            if (change.Actor is { } actor && template.Middle.Actors.All(each => each.Id != actor))
+            {
+                throw new UsageException($"--change \"{change.Text}\": the scenario has no actor '{actor}'.");
+            }
+
+            if (change.Event is { } id && template.Middle.Events.All(each => each.Id != id))
+            {
+                throw new UsageException($"--change \"{change.Text}\": the scenario has no event '{id}'.");
+            }
+        }
+
+        return runs;
     }
 
     private static bool IsOn(ParseResult parsed, Option<string> option) =>

@@ -220,6 +220,8 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             : record.Integer("num_lidar_pts") < 0 || record.Integer("num_radar_pts") != 0 ? "its number of points is wrong."
             : record.Texts("attribute_tokens") is { Length: > 1 } ? "it has several attributes."
             : record.Texts("attribute_tokens").Any(token => !_tables["attribute"].ContainsKey(token)) ? "its attribute is unknown."
+            : record.Has(NuScenesEvent.Field) && record.Texts(NuScenesEvent.Field).Any(token => !_tables["attribute"].ContainsKey(token))
+                ? "the attribute of an event is unknown."
             : null;
     }
 

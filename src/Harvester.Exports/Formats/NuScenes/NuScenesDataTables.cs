@@ -21,6 +21,7 @@ internal static class NuScenesDataTables
                         json.WriteString("scene_token", scene.Token);
                         json.Link("prev", index > 0 ? scene.SampleTokenOf(scene.Keys[index - 1]) : null);
                         json.Link("next", index + 1 < scene.Keys.Count ? scene.SampleTokenOf(scene.Keys[index + 1]) : null);
+                        NuScenesEvent.WriteTokens(json, scene.EventsOf(moment), NuScenesEvent.Ego);
                     }
                 )
         );

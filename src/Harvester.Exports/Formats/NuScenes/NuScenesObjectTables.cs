@@ -56,6 +56,7 @@ internal static class NuScenesObjectTables
                 json.WriteNumber("num_lidar_pts", item.Points);
                 json.WriteNumber("num_radar_pts", 0);
                 json.WriteNumber(Hits, item.Hits);
+                NuScenesEvent.WriteTokens(json, scene.EventsOf(moment), item.Id);
             };
         }
     }

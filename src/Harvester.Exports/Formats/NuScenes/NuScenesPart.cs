@@ -31,6 +31,9 @@ internal sealed record NuScenesPart(
     IReadOnlyList<NuScenesObject> Objects
 )
 {
+    /// <summary>The events that are open at the frame; null in a session without events.</summary>
+    public IReadOnlyList<NuScenesEvent>? Events { get; init; }
+
     /// <summary>The part as one line.</summary>
     public override string ToString() =>
         JsonLine.Of(json =>
@@ -61,6 +64,17 @@ internal sealed record NuScenesPart(
             }
 
             json.WriteEndArray();
+            if (Events is { } events)
+            {
+                json.WriteStartArray("events");
+                foreach (NuScenesEvent each in events)
+                {
+                    each.Write(json);
+                }
+
+                json.WriteEndArray();
+            }
+
             json.WriteEndObject();
         });
 
@@ -82,6 +96,9 @@ internal sealed record NuScenesPart(
             part.RawText("ego"),
             [.. part.List("sensors").Select(NuScenesSensor.Read)],
             [.. part.List("objects").Select(NuScenesObject.Read)]
-        );
+        )
+        {
+            Events = part.Has("events") ? [.. part.List("events").Select(NuScenesEvent.Read)] : null,
+        };
     }
 }

@@ -40,6 +40,9 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
     /// <summary>The frames of a moment.</summary>
     public IEnumerable<NuScenesPart> Of(int moment) => (_byMoment ??= Frames.ToLookup(frame => frame.Moment))[moment];
 
+    /// <summary>The events that are open at a moment; null in a session without events.</summary>
+    public IReadOnlyList<NuScenesEvent>? EventsOf(int moment) => Of(moment).First().Events;
+
     /// <summary>The token of a sample.</summary>
     public string SampleTokenOf(int moment) => NuScenesToken.Of("sample", Number, moment);
 

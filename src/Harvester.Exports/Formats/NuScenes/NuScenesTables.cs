@@ -45,9 +45,14 @@ internal static class NuScenesTables
     {
         var calibrated = new HashSet<string>(StringComparer.Ordinal);
         var sensors = new HashSet<string>(StringComparer.Ordinal);
+        var happened = new HashSet<string>(StringComparer.Ordinal);
         return
         [
-            new NuScenesRecords("attribute", None, NuScenesClasses.Attributes.Select(name => Named(AttributeToken(name), name))),
+            new NuScenesRecords(
+                "attribute",
+                scene => EventAttributes(scene, happened),
+                NuScenesClasses.Attributes.Select(name => Named(AttributeToken(name), name))
+            ),
             new NuScenesRecords("calibrated_sensor", scene => Calibrations(scene, calibrated)),
             new NuScenesRecords("category", None, NuScenesClasses.Categories.Select(name => Named(CategoryToken(name), name))),
             new NuScenesRecords("ego_pose", NuScenesDataTables.Poses),
@@ -85,6 +90,13 @@ internal static class NuScenesTables
             table.End(writer);
         }
     }
+
+    private static IEnumerable<Action<Utf8JsonWriter>> EventAttributes(NuScenesScene scene, HashSet<string> written) =>
+        scene
+            .Keys.SelectMany(moment => scene.EventsOf(moment) ?? [])
+            .Select(each => each.Attribute)
+            .Where(written.Add)
+            .Select(name => Named(AttributeToken(name), name));
 
     private static IEnumerable<Action<Utf8JsonWriter>> None(NuScenesScene scene) => [];
 

@@ -40,6 +40,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
 
     private NuScenesGround? _ground;
     private NuScenesScan? _scan;
+    private (SessionReader Session, IReadOnlyDictionary<int, NuScenesEvent> ById)? _events;
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
@@ -103,7 +104,10 @@ internal sealed class NuScenesWriter : IDatasetWriter
                 egoPose,
                 sensors,
                 objects
-            ).ToString()
+            )
+            {
+                Events = EventsOf(frame),
+            }.ToString()
         );
         bool isFirst = label.Frame % rig.Cameras.Count == 0;
         NuScenesCanBus.Add(
@@ -179,6 +183,28 @@ internal sealed class NuScenesWriter : IDatasetWriter
 
     private NuScenesGround GroundOf(SessionReader session) =>
         _ground is { } ground && ground.Session == session ? ground : _ground = NuScenesGround.Of(session);
+
+    private IReadOnlyList<NuScenesEvent>? EventsOf(ExportFrame frame)
+    {
+        if (frame.Label.Events is not { } open)
+        {
+            return null;
+        }
+
+        if (_events?.Session != frame.Session)
+        {
+            _events = (frame.Session, NuScenesEvent.In(frame.Session));
+        }
+
+        return
+        [
+            .. open.Select(mark =>
+                _events!.Value.ById.TryGetValue(mark.Id, out NuScenesEvent? known)
+                    ? known
+                    : throw frame.Problem($"its event {mark.Id} is not in events.jsonl.")
+            ),
+        ];
+    }
 
     /// <summary>The views of a moment follow each other, so its points are read once.</summary>
     private NuScenesScan? ScanOf(ExportFrame frame, string ego) =>

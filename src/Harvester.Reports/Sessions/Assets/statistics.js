@@ -19,6 +19,22 @@ function indicators() {
   byId("lane-geometry").hidden = data.laneSources.length === 0;
 }
 
+/** The events of the session, which only a report has; the number of one that a shown frame has leads to that frame. */
+function eventRows() {
+  const all = data.eventRows ?? [];
+  const rows = all.map(([index, number, ...cells]) => {
+    if (index === null) return [number, ...cells];
+    const button = element("button", { type: "button", class: "plain" }, number);
+    button.addEventListener("click", () => { play(false); show(index); });
+    return [[button], ...cells];
+  });
+  table("event-rows", ["Event", "Kind", "Begins", "Lasts", "Who", "Measured", "End"], rows);
+  byId("event-table").hidden = all.length === 0;
+  byId("event-note").textContent = all.length < (data.eventCount ?? 0)
+    ? `The first ${all.length} of ${data.eventCount} events; events.jsonl has all.`
+    : "Times are those of the game; units are those of events.jsonl.";
+}
+
 function histogram(chart) {
   const width = 320, height = 150, foot = 18, most = Math.max(1, ...chart.counts), step = width / chart.counts.length;
   const last = chart.counts.length - 1;
@@ -40,11 +56,12 @@ function histogram(chart) {
 }
 
 function showStatistics() {
-  for (const id of ["counts", "comparison", "histograms", "weathers", "hours", "indicators", "lane-sources"]) byId(id).replaceChildren();
+  for (const id of ["counts", "comparison", "histograms", "weathers", "hours", "indicators", "lane-sources", "event-rows"]) byId(id).replaceChildren();
   counts();
   table("comparison", ["Comparison", "This session", data.comparison.name], data.comparison.rows);
   data.histograms.forEach(histogram);
   table("weathers", ["Weather", "Frames"], Object.entries(data.weathers));
   table("hours", ["Hour", "Frames"], Object.entries(data.hours));
   indicators();
+  eventRows();
 }

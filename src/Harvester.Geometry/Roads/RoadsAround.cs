@@ -1,10 +1,7 @@
-using Harvester.Geometry;
-using Harvester.Geometry.Roads;
-
-namespace Harvester.Runs.Scenarios;
+namespace Harvester.Geometry.Roads;
 
 /// <summary>The part of a road network around a place, as a network of its own.</summary>
-internal static class RoadsAround
+public static class RoadsAround
 {
     /// <summary>Cuts a network.</summary>
     /// <param name="network">The network.</param>
@@ -12,6 +9,7 @@ internal static class RoadsAround
     /// <returns>The kept nodes and links in their order, with numbers of their own.</returns>
     public static RoadNetwork Of(RoadNetwork network, Box2D area)
     {
+        Guard.NotNull(network, nameof(network));
         int[] links =
         [
             .. Enumerable
@@ -19,9 +17,12 @@ internal static class RoadsAround
                 .Where(node => Contains(area, network.Nodes[node].Position))
                 .SelectMany(network.LinksOf)
                 .Distinct()
-                .Order(),
+                .OrderBy(static link => link),
         ];
-        int[] nodes = [.. links.SelectMany(link => (int[])[network.Links[link].From, network.Links[link].To]).Distinct().Order()];
+        int[] nodes =
+        [
+            .. links.SelectMany(link => (int[])[network.Links[link].From, network.Links[link].To]).Distinct().OrderBy(static node => node),
+        ];
         Dictionary<int, int> numbers = Numbers(nodes);
         Dictionary<int, int> linkNumbers = network.Edges.Count == 0 ? [] : Numbers(links);
         return new RoadNetwork(
@@ -39,7 +40,8 @@ internal static class RoadsAround
         );
     }
 
-    private static Dictionary<int, int> Numbers(int[] kept) => kept.Index().ToDictionary(each => each.Item, each => each.Index);
+    private static Dictionary<int, int> Numbers(int[] kept) =>
+        Enumerable.Range(0, kept.Length).ToDictionary(index => kept[index], index => index);
 
     private static bool Contains(Box2D area, Vector3D place) =>
         place.X >= area.XMin && place.X <= area.XMax && place.Y >= area.YMin && place.Y <= area.YMax;
