@@ -41,8 +41,8 @@ public sealed class GnssRecorderTests
 
     /// <summary>
     /// The Allan deviation of a record of 10,000 s at 10 Hz. White noise of the deviation σ in each sample gives σ / √m for clusters of m,
-    /// a bias that walks by K gives K √(τ/3) (IEEE Std 952-1997, annex C). Between samples the walk is 0.2 % of the variance; it is read from
-    /// a receiver without white noise, whose 1,000 clusters of 10 s give the deviation to about 4 %.
+    /// a bias that walks by K gives K √(τ/3) (IEEE Std 952-1997, annex C). Between samples the walk is 0.2 % of the variance; it is read
+    /// from a receiver without white noise, whose 1,000 clusters of 10 s give the deviation to about 4 %.
     /// </summary>
     [Theory]
     [InlineData(21)]
