@@ -89,6 +89,13 @@ def write(folder: Path) -> Path:
             "backwardFlags": "flow/4.png",
             "forwardFlags": "flow/5.png",
         },
+        birdsEye={
+            "file": "birds-eye/1.png",
+            "visible": "birds-eye-visible/1.png",
+            "cells": 12,
+            "cellMetres": 1.0,
+            "source": "exact",
+        },
         lidar=[{"sensor": "top", "file": "lidar/1.bin"}],
         motion=[[float(i) for i in range(13)]],
         radar=[
@@ -105,6 +112,7 @@ def write(folder: Path) -> Path:
             }
         ],
         imu={"timesSeconds": [1.0], "angularRates": [0.0, 0.1, 0.2], "specificForces": [0.0, 0.1, 9.8]},
+        gnss={"timesSeconds": [1.0], "positions": [34.0, -118.0, 30.0], "velocities": [0.0, 10.0, 0.0]},
         drive=copy.deepcopy(ACTION),
         pairs=[{"file": "pairs/1.png", "weather": "rain", "timeOfDay": "06:00:00", "without": [7]}],
         lanes=copy.deepcopy(_LANES),
@@ -122,6 +130,8 @@ def write(folder: Path) -> Path:
         ("flow/3.png", colours.astype(np.uint16)),
         ("flow/4.png", grey),
         ("flow/5.png", grey),
+        ("birds-eye/1.png", np.ones((12, 12), np.uint8)),
+        ("birds-eye-visible/1.png", np.full((12, 12), 255, np.uint8)),
     ):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(png.encode(picture))
@@ -151,6 +161,7 @@ def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
         ("lanes", lambda: repr(frame.lanes)),
         ("motion", lambda: frame.motion),
         ("imu", lambda: frame.imu),
+        ("gnss", lambda: frame.gnss),
         ("radars", lambda: frame.radars),
         ("drive", lambda: frame.drive),
         ("pairs", lambda: [frame.pair_image(pair) for pair in frame.pairs]),
@@ -179,6 +190,7 @@ def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
             ),
         ),
         ("motion of surfaces", frame.surface_motion),
+        ("bird's eye", lambda: (frame.birds_eye(), frame.birds_eye_visible(), frame.birds_eye_cell_metres)),
         ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d"))),
     ]
 

@@ -77,6 +77,24 @@ def test_normals_are_unit_vectors(handmade: HandmadeSession) -> None:
         open_session(folder)[0].normals()
 
 
+def test_birds_eye_maps_have_a_size_of_their_own(handmade: HandmadeSession) -> None:
+    classes, seen = np.zeros((12, 12), np.uint8), np.zeros((12, 12), np.uint8)
+    classes[0, 11], seen[3, 4] = 5, 255
+    label = {"file": "birds-eye/1.png", "visible": "birds-eye-visible/1.png", "cells": 12, "cellMetres": 2.0}
+    handmade.lines[1]["birdsEye"] = {**label, "source": "exact"}
+    handmade.lines[0]["birdsEye"] = {**label, "visible": None, "source": "roads"}
+    folder = handmade.write()
+    for name, picture in (("birds-eye", classes), ("birds-eye-visible", seen)):
+        (folder / name).mkdir()
+        (folder / name / "1.png").write_bytes(png.encode(picture))
+    frame = open_session(folder)[1]
+    np.testing.assert_array_equal(frame.birds_eye(), classes)
+    assert gtaharvest.BIRDS_EYE_CLASS_NAMES[frame.birds_eye()[0, 11]] == "vehicle" and frame.birds_eye_cell_metres == 2
+    assert frame.birds_eye_visible().dtype == np.bool_ and np.argwhere(frame.birds_eye_visible()).tolist() == [[3, 4]]
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no bird's-eye map"):
+        open_session(folder)[0].birds_eye_visible()
+
+
 def test_flow_is_in_pixels_and_motion_in_metres(handmade: HandmadeSession) -> None:
     coded = np.zeros((HEIGHT, WIDTH, 3), np.uint16)
     coded[0, 0], coded[0, 1] = (32768 + 96, 32768 - 1, 1), (32768, 32768, 1)

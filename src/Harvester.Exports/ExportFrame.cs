@@ -237,14 +237,25 @@ public sealed class ExportFrame
         }
     }
 
-    private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read)
+    /// <summary>Reads a square map of 8 bits.</summary>
+    /// <param name="name">Its name.</param>
+    /// <param name="kind">What it is, in messages.</param>
+    /// <param name="cells">Number of cells along a side.</param>
+    /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size.</exception>
+    internal InstanceMap ReadCells(string name, string kind, int cells) =>
+        ReadMap(name, kind, PngDecoder.ReadLabelMap, (cells, cells), "that of the label");
+
+    private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read) =>
+        ReadMap(name, kind, read, (Label.Camera.Width, Label.Camera.Height), "that of the image");
+
+    private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read, (int Width, int Height) size, string owner)
     {
         try
         {
             InstanceMap map = read(PathOf(name));
-            return map.Image.Width == Label.Camera.Width && map.Image.Height == Label.Camera.Height
+            return map.Image.Width == size.Width && map.Image.Height == size.Height
                 ? map
-                : throw new DatasetFormatException("its size is not that of the image.");
+                : throw new DatasetFormatException($"its size is not {owner}.");
         }
         catch (DatasetFormatException e)
         {

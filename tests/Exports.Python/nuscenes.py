@@ -14,7 +14,7 @@ VERSION = "v1.0-gta"
 TABLES = {
     "attribute": ["name", "description"],
     "calibrated_sensor": ["sensor_token", "translation", "rotation", "camera_intrinsic"],
-    "category": ["name", "description"],
+    "category": ["name", "description", "index"],
     "ego_pose": ["timestamp", "translation", "rotation"],
     "instance": ["category_token", "nbr_annotations", "first_annotation_token", "last_annotation_token"],
     "log": ["logfile", "vehicle", "date_captured", "location"],
@@ -190,6 +190,46 @@ def check_geometry(root, tables):
     if sweeps:
         assert within >= LEAST_SHARE_IN_BOXES * counted > 0, f"{within} of {counted} points are in their boxes"
     return counted, within
+
+
+def check_segments(root, tables):
+    """Classes and instances of points, by the devkit's rules: each object has the points that its annotation counts as hits."""
+    if not os.path.exists(os.path.join(root, VERSION, "lidarseg.json")):
+        return 0
+    names = {record["index"]: record["name"] for record in tables["category"].values()}
+    labels, checked = {}, 0
+    for table in ("lidarseg", "panoptic"):
+        with open(os.path.join(root, VERSION, table + ".json"), encoding="utf-8") as file:
+            records = json.load(file)
+        assert len(records) == len(os.listdir(os.path.join(root, table, VERSION)))
+        for record in records:
+            data = tables["sample_data"][record["sample_data_token"]]
+            assert record["token"] == record["sample_data_token"] and data["is_key_frame"]
+            path = os.path.join(root, record["filename"])
+            labels[table, data["token"]] = (
+                np.fromfile(path, np.uint8) if table == "lidarseg" else np.load(path)["data"].astype(int)
+            )
+    samples = {}
+    for (table, token), numbers in labels.items():
+        assert len(numbers) == os.path.getsize(os.path.join(root, tables["sample_data"][token]["filename"])) // 20
+        if table == "panoptic":
+            classes = labels["lidarseg", token]
+            assert np.array_equal(numbers // 1000, classes) and set(classes.tolist()) <= set(names)
+            things = np.array(["vehicle" in names[each] or "human" in names[each] for each in classes.tolist()], bool)
+            assert np.array_equal(numbers % 1000 > 0, things)
+            found = samples.setdefault(tables["sample_data"][token]["sample_token"], {})
+            for number, count in zip(*np.unique(numbers[things], return_counts=True)):
+                found[number] = found.get(number, 0) + count
+    for annotation in tables["sample_annotation"].values():
+        category = tables["category"][tables["instance"][annotation["instance_token"]]["category_token"]]
+        counts = [
+            count
+            for number, count in samples.get(annotation["sample_token"], {}).items()
+            if number // 1000 == category["index"]
+        ]
+        assert not annotation["num_lidar_hits"] or annotation["num_lidar_hits"] in counts, annotation
+        checked += 1 if annotation["num_lidar_hits"] else 0
+    return checked
 
 
 def points_in_box(box, points):
@@ -418,9 +458,11 @@ def read(root, session=None):
         named = [name for scenes in json.load(file).values() for name in scenes]
     assert sorted(named) == sorted(scene["name"] for scene in tables["scene"].values())
     shares = check_maps(root, tables, session)
+    segments = check_segments(root, tables)
     return (
         f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
-        f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages, "
+        f"{within} of {counted} points in their boxes, {segments} objects with classes of points, "
+        f"{check_can_bus(root, tables)} CAN bus messages, "
         f"on drivable ground are all {len(tables['ego_pose'])} poses{shares}"
         + (f", {check_session(root, tables, session)} projections as in the session" if session else "")
     )

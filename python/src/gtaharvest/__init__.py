@@ -19,6 +19,7 @@ from .errors import (
 )
 from .events import EVENT_KINDS, Contact, Event, EventMark, Participant
 from .frame import (
+    BIRDS_EYE_CLASS_NAMES,
     FLOW_COVERED,
     FLOW_INFINITE,
     FLOW_LEAVES_PICTURE,
@@ -49,6 +50,7 @@ from .selection import Selection
 from .session import FORMAT_VERSION, Session, Track, open_session
 
 __all__ = [
+    "BIRDS_EYE_CLASS_NAMES",
     "CLASS_NAMES",
     "Camera",
     "Contact",

@@ -14,6 +14,7 @@ from .checks import checked, each, integer, number, one_line, optional, text
 from .drive import Drive
 from .errors import LabelError, MissingPictureError, NotInSessionError, SessionError
 from .events import EventMark
+from .gnss import gnss_rows
 from .imu import imu_rows
 from .lanes import Lanes
 from .motion import motion_rows
@@ -37,6 +38,9 @@ FLOW_VALID, FLOW_MOVED, FLOW_COVERED, FLOW_LEAVES_PICTURE, FLOW_PERSON, FLOW_UNK
     1 << bit for bit in range(7)
 )
 """The flags of flow_flags; docs/flow.md has their meaning."""
+
+BIRDS_EYE_CLASS_NAMES = ("other", "drivable", "lane", "line", "crossing", "vehicle", "person")
+"""The classes of bird's-eye maps, by their numbers."""
 
 PICTURE_ENDINGS = (".png", ".jpg", ".jpeg", ".bmp")
 """How names of pictures end."""
@@ -212,6 +216,39 @@ class View:
         motion[~stored.any(axis=-1)] = np.nan
         return motion
 
+    @property
+    def birds_eye_cell_metres(self) -> Optional[float]:
+        """Side of a cell of the bird's-eye map, metres; None if the frame has none."""
+        return checked(
+            self._source, lambda: optional(lambda part: number(part["cellMetres"]), self.raw.get("birdsEye"))
+        )
+
+    def birds_eye(self) -> Picture:
+        """What the ground around the ego is, as (cells, cells), uint8: the place of each cell's class in BIRDS_EYE_CLASS_NAMES.
+
+        The ego is in the middle and faces up: row 0 is the farthest ahead, column 0 the farthest to its left. Raises MissingPictureError
+        if the frame has no such map or the file does not exist, and PictureError as image does.
+        """
+        return self._birds_eye("file")
+
+    def birds_eye_visible(self) -> Picture:
+        """Which cells of birds_eye the camera sees, as (cells, cells), bool. Errors as in birds_eye; GTA V has no such map."""
+        seen: Picture = self._birds_eye("visible") != 0
+        return seen
+
+    def _birds_eye(self, kind: str) -> Picture:
+        def found(part: Any) -> Optional[Tuple[str, int]]:
+            name = optional(text, part[kind])
+            return None if name is None else (name, integer(part["cells"]))
+
+        map = checked(self._source, lambda: optional(found, self.raw.get("birdsEye")))
+        if map is None:
+            raise MissingPictureError(
+                f"{self._source}: the frame has no bird's-eye map ({kind}). Harvest with --birds-eye."
+            )
+        name, cells = map
+        return read_class_map(self.inner(name), (cells, cells))
+
     def _flow_path(self, kind: str) -> Path:
         name = checked(self._source, lambda: optional(lambda part: text(part[kind]), self.raw.get("flow")))
         if name is None:
@@ -379,6 +416,14 @@ class Frame:
         return checked(self._source, lambda: imu_rows(self.raw["imu"]) if "imu" in self.raw else None)
 
     @functools.cached_property
+    def gnss(self) -> Optional[Array]:
+        """What the satellite receiver reported since the frame before, (samples, 7); None if the session has none.
+
+        A row has time, latitude and longitude (degrees), altitude (metres) and velocity (3, m/s, east, north and up).
+        """
+        return checked(self._source, lambda: gnss_rows(self.raw["gnss"]) if "gnss" in self.raw else None)
+
+    @functools.cached_property
     def events(self) -> Optional[Tuple[EventMark, ...]]:
         """The events that are open at the moment, by ascending id; None if events are not recorded."""
         return checked(
@@ -442,6 +487,19 @@ class Frame:
     def surface_motion(self) -> Depth:
         """The motion of the surfaces of the only view; see View.surface_motion."""
         return self.view.surface_motion()
+
+    @property
+    def birds_eye_cell_metres(self) -> Optional[float]:
+        """Side of a cell of the bird's-eye map of the only view; see View.birds_eye_cell_metres."""
+        return self.view.birds_eye_cell_metres
+
+    def birds_eye(self) -> Picture:
+        """The bird's-eye map of the only view; see View.birds_eye."""
+        return self.view.birds_eye()
+
+    def birds_eye_visible(self) -> Picture:
+        """The cells that the camera of the only view sees; see View.birds_eye_visible."""
+        return self.view.birds_eye_visible()
 
     def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
         """A table with one row per object; see Session.to_pandas."""

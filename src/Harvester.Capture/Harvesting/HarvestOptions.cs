@@ -180,6 +180,9 @@ public sealed record HarvestOptions : LabellingOptions
     /// <summary>The noise of the inertial unit, if the harvest has one; null (default) for an ideal unit.</summary>
     public ImuNoise? ImuNoise { get; init; }
 
+    /// <summary>The noise of the satellite receiver, if the harvest has one; null (default) for an ideal one.</summary>
+    public GnssNoise? GnssNoise { get; init; }
+
     /// <summary>How events are found; null (default) to find none.</summary>
     public EventOptions? Events { get; init; }
 

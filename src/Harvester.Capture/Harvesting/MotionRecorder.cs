@@ -20,11 +20,15 @@ internal sealed class MotionRecorder(IWorld world)
     /// <summary>Takes what an inertial unit measures of each recorded tick; null if there is none.</summary>
     public ImuRecorder? Imu { get; init; }
 
+    /// <summary>Takes what a satellite receiver reports of the recorded ticks; null if there is none.</summary>
+    public GnssRecorder? Gnss { get; init; }
+
     /// <summary>The recorder of a harvest; null if it needs none.</summary>
     public static MotionRecorder? For(HarvestOptions options, IWorld world)
     {
         ImuRecorder? imu = options.Channels.Contains(FrameChannels.Imu.Key) ? new ImuRecorder(options.ImuNoise) : null;
-        return options.Motion || imu is not null ? new MotionRecorder(world) { Imu = imu } : null;
+        GnssRecorder? gnss = options.Channels.Contains(FrameChannels.Gnss.Key) ? new GnssRecorder(options.GnssNoise) : null;
+        return options.Motion || imu is not null || gnss is not null ? new MotionRecorder(world) { Imu = imu, Gnss = gnss } : null;
     }
 
     /// <summary>Gives the first of the frames that a flow has taken what was recorded since the frame before.</summary>
@@ -40,6 +44,7 @@ internal sealed class MotionRecorder(IWorld world)
         // Taken in any case: the frame may be that of another shard.
         IReadOnlyList<MotionSample> samples = TakeBefore(seconds);
         IReadOnlyList<ImuSample>? measured = Imu?.TakeThrough(seconds);
+        IReadOnlyList<GnssSample>? located = Gnss?.TakeThrough(seconds);
         if (flow.Taken.Count == 0)
         {
             return;
@@ -49,6 +54,11 @@ internal sealed class MotionRecorder(IWorld world)
         if (measured is not null)
         {
             flow.Taken[0].Add(new ImuPart(measured));
+        }
+
+        if (located is not null)
+        {
+            flow.Taken[0].Add(new GnssPart(located));
         }
     }
 
@@ -66,11 +76,13 @@ internal sealed class MotionRecorder(IWorld world)
 
             _samples.Clear();
             Imu?.Restart();
+            Gnss?.Restart();
         }
 
         EgoState ego = world.ReadEgo();
         _last = time;
         Imu?.Add(time, ego);
+        Gnss?.Add(time, ego);
         if (_samples.Count == MaxSamples)
         {
             _samples.Dequeue();

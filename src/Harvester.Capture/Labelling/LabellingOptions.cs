@@ -1,6 +1,7 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Grids;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
@@ -61,6 +62,21 @@ public record LabellingOptions
 
     /// <summary>The channels that are switched on by their key alone: <see cref="FrameChannel.Switch"/>.</summary>
     public ChannelKeys Channels { get; init; } = ChannelKeys.None;
+
+    /// <summary>The size of bird's-eye maps, if they are made.</summary>
+    /// <exception cref="ArgumentException">There is no such grid.</exception>
+    public GridShape BirdsEye
+    {
+        get;
+        init => field = value.Problem is { } problem ? throw new ArgumentException(problem, nameof(value)) : value;
+    } = GridShape.Usual;
+
+    /// <summary>Why bird's-eye maps of this size cannot be made, one sentence; null if they can, or are not.</summary>
+    public string? BirdsEyeProblem =>
+        Channels.Contains(FrameChannels.BirdsEye.Key) && ReadRangeMetres < BirdsEye.ReachMetres
+            ? FormattableString.Invariant($"The corners of bird's-eye maps are {BirdsEye.ReachMetres:0.0} m from the vehicle, but ")
+                + FormattableString.Invariant($"vehicles and people are read up to {ReadRangeMetres} m. Read them farther.")
+            : null;
 
     /// <summary>The classes of the materials that rays report.</summary>
     public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;

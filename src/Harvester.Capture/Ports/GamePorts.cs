@@ -20,6 +20,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>What the picture truly shows, of a simulated game; otherwise null.</summary>
     public ISurfaceTruth? Surfaces { get; init; }
 
+    /// <summary>The ground itself, of a simulated game; otherwise null.</summary>
+    public IGround? Ground { get; init; }
+
     /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 

@@ -150,6 +150,17 @@ internal static class SessionJson
             json.Key(key).Boolean(true);
         }
 
+        if (options.Channels.Contains(FrameChannels.BirdsEye.Key))
+        {
+            json.Key("birdsEyeGrid")
+                .BeginObject()
+                .Key("sideMetres")
+                .Number(options.BirdsEye.SideMetres, LabelDecimals.Metres)
+                .Key("cellMetres")
+                .Number(options.BirdsEye.CellMetres, LabelDecimals.Metres)
+                .EndObject();
+        }
+
         if (options.Motion)
         {
             json.Key("motion").Boolean(true);
@@ -158,6 +169,11 @@ internal static class SessionJson
         if (options.ImuNoise is { } noise && options.Channels.Contains(FrameChannels.Imu.Key))
         {
             Append(json.Key("imuNoise"), noise);
+        }
+
+        if (options.GnssNoise is { } errors && options.Channels.Contains(FrameChannels.Gnss.Key))
+        {
+            Append(json.Key("gnssNoise"), errors);
         }
 
         if (options.Events is { } events)
@@ -222,6 +238,22 @@ internal static class SessionJson
             .Number(noise.Accelerometer, ImuNoise.Decimals)
             .Key("accelerometerWalk")
             .Number(noise.AccelerometerWalk, ImuNoise.Decimals)
+            .Key("seed")
+            .Integer(noise.Seed)
+            .EndObject();
+
+    private static void Append(JsonText json, GnssNoise noise) =>
+        json.BeginObject()
+            .Key("horizontal")
+            .Number(noise.Horizontal, GnssNoise.Decimals)
+            .Key("vertical")
+            .Number(noise.Vertical, GnssNoise.Decimals)
+            .Key("horizontalWalk")
+            .Number(noise.HorizontalWalk, GnssNoise.Decimals)
+            .Key("verticalWalk")
+            .Number(noise.VerticalWalk, GnssNoise.Decimals)
+            .Key("velocity")
+            .Number(noise.Velocity, GnssNoise.Decimals)
             .Key("seed")
             .Integer(noise.Seed)
             .EndObject();

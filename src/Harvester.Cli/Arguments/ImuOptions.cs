@@ -27,7 +27,7 @@ internal sealed class ImuOptions
         : !isOn ? throw new UsageException($"--imu-noise needs {FrameChannels.Imu.Switch.Option}.")
         : ImuNoise.Parse(text) is not { } noise
             ? throw new UsageException(
-                $"--imu-noise takes a comma-separated list of {ImuNoise.Form}, from 0 to 1000, or {ImuNoise.Adis16448}, not '{text}'."
+                $"--imu-noise takes a comma-separated list of {ImuNoise.Form}, {ImuNoise.Limits}, or {ImuNoise.Adis16448}, not '{text}'."
             )
         : noise with { Seed = seed };
 }

@@ -100,6 +100,8 @@ internal sealed class HarvestCommand
 
     private ChannelOptions Channels { get; } = new();
     private ImuOptions ImuOf { get; } = new();
+    private GnssOptions GnssOf { get; } = new();
+    private BirdsEyeOptions BirdsEyeOf { get; } = new();
 
     private Option<bool> TrueOcclusion { get; } =
         new("--true-occlusion") { Description = "Also label how much of each object the renderer hides, exactly; slower" };
@@ -234,6 +236,8 @@ internal sealed class HarvestCommand
         Semantics.AddTo(command);
         Channels.AddTo(command);
         ImuOf.AddTo(command);
+        GnssOf.AddTo(command);
+        BirdsEyeOf.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -313,6 +317,8 @@ internal sealed class HarvestCommand
             Semantics = Semantics.Method(parsed),
             Channels = Channels.Keys(parsed),
             ImuNoise = ImuOf.Parse(parsed, Channels.Keys(parsed).Contains(FrameChannels.Imu.Key), parsed.GetValue(Seed)),
+            GnssNoise = GnssOf.Parse(parsed, Channels.Keys(parsed).Contains(FrameChannels.Gnss.Key), parsed.GetValue(Seed)),
+            BirdsEye = BirdsEyeOf.Parse(parsed, Channels.Keys(parsed).Contains(FrameChannels.BirdsEye.Key)),
             Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
@@ -327,7 +333,7 @@ internal sealed class HarvestCommand
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),
         };
-        return options.KeepProblem is { } problem ? throw new UsageException(problem) : options;
+        return (options.KeepProblem ?? options.BirdsEyeProblem) is { } problem ? throw new UsageException(problem) : options;
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;

@@ -34,12 +34,12 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             channel.LabelIn(label.Channels) is { } found ? ChannelProblems(channel, found, label, taken, manifest) : []
         );
         mask = mask.Concat(channels);
-        return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
+        return Problem("image", label.Image, SizeOf(label.Camera), null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
 
     private IEnumerable<string> MaskProblems(FrameLabel label, string name, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        if (Problem("mask", name, label.Camera, MaskBitsPerPixel, taken, manifest) is { } problem)
+        if (Problem("mask", name, SizeOf(label.Camera), MaskBitsPerPixel, taken, manifest) is { } problem)
         {
             return [problem];
         }
@@ -75,7 +75,9 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         string[] problems =
         [
             .. found
-                .Files.Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsOf(found, name), taken, manifest))
+                .Files.Select(name =>
+                    Problem(channel.FileKind, name, channel.SizeOf(found, label.Camera), channel.BitsOf(found, name), taken, manifest)
+                )
                 .OfType<string>(),
         ];
         if (problems.Length > 0 || isQuick)
@@ -88,6 +90,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             return found switch
             {
                 ClassMapLabel map => [.. ClassMapCheck.Problems(map.File, PngDecoder.ReadLabelMap(session.PathOf(map.File)))],
+                BirdsEyeLabel map => [.. BirdsEyeCheck.Problems(map, name => PngDecoder.ReadLabelMap(session.PathOf(name)))],
                 FlowLabel flow => [.. FlowCheck.Problems(flow.Maps, session.PathOf)],
                 DepthLabel depth => [.. DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)))],
                 _ => Array.Empty<string>(),
@@ -130,7 +133,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     private string? Problem(
         string field,
         string name,
-        CameraLabel camera,
+        (int Width, int Height) size,
         int? bitsPerPixel,
         IReadOnlyList<string> taken,
         ManifestFrame? manifest
@@ -144,7 +147,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         string path = session.PathOf(name);
         try
         {
-            if (Problem($"{field} '{name}'", ImageHeader.Read(path), camera, bitsPerPixel) is { } problem)
+            if (Problem($"{field} '{name}'", ImageHeader.Read(path), size, bitsPerPixel) is { } problem)
             {
                 return problem;
             }
@@ -162,11 +165,13 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         }
     }
 
-    private static string? Problem(string what, ImageHeader header, CameraLabel camera, int? bitsPerPixel)
+    private static (int Width, int Height) SizeOf(CameraLabel camera) => (camera.Width, camera.Height);
+
+    private static string? Problem(string what, ImageHeader header, (int Width, int Height) size, int? bitsPerPixel)
     {
-        if (header.Size.Width != camera.Width || header.Size.Height != camera.Height)
+        if (header.Size.Width != size.Width || header.Size.Height != size.Height)
         {
-            return $"{what} is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}.";
+            return $"{what} is {header.Size.Width} x {header.Size.Height}, but its label says {size.Width} x {size.Height}.";
         }
 
         return bitsPerPixel is { } bits && header.BitsPerPixel != bits

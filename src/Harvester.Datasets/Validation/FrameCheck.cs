@@ -43,6 +43,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. _laneIds.Problems(label),
             .. MotionCheck.Problems(label),
             .. ImuCheck.Problems(label),
+            .. GnssCheck.Problems(label),
             .. RadarCheck.Problems(label),
             .. DriveCheck.Problems(label),
             .. IgnoreRegionCheck.Problems(label),

@@ -3,6 +3,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Grids;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
@@ -81,6 +82,8 @@ public static class HarvestSettings
                     .Select(channel => channel.Key)
             ),
             ImuNoise = ImuNoiseOf(ini),
+            GnssNoise = GnssNoiseOf(ini),
+            BirdsEye = BirdsEyeOf(ini),
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             Events = events == Switch.On ? new EventOptions { RateHz = eventRate } : null,
             Pairs = PairsOf(ini),
@@ -108,10 +111,33 @@ public static class HarvestSettings
         IReadOnlyList<string> parts = ini.List(
             Harvest,
             "ImuNoise",
-            $"a list of {ImuNoise.Form}, from 0 to 1000, or {ImuNoise.Adis16448}",
+            $"a list of {ImuNoise.Form}, {ImuNoise.Limits}, or {ImuNoise.Adis16448}",
             text => ImuNoise.Parse(text) is null ? null : text
         );
         return parts.Count > 0 ? ImuNoise.Parse(string.Join(",", parts)) : null;
+    }
+
+    private static GnssNoise? GnssNoiseOf(IniFile ini)
+    {
+        IReadOnlyList<string> parts = ini.List(
+            Harvest,
+            "GnssNoise",
+            $"a list of {GnssNoise.Form}, {GnssNoise.Limits}",
+            text => GnssNoise.Parse(text) is null ? null : text
+        );
+        return parts.Count > 0 ? GnssNoise.Parse(string.Join(",", parts)) : null;
+    }
+
+    /// <summary>The size of bird's-eye maps: the nearest that has whole cells, or the usual one if there is none.</summary>
+    private static GridShape BirdsEyeOf(IniFile ini)
+    {
+        double side = ini.Number(Harvest, "BirdsEyeSize", GridShape.Usual.SideMetres, GridShape.MinSide, GridShape.MaxSide);
+        double cell = ini.Number(Harvest, "BirdsEyeCell", GridShape.Usual.CellMetres, GridShape.MinCell, GridShape.MaxCell);
+        var asked = new GridShape(side, cell);
+        int cells = Math.Min(asked.Cells, GridShape.MaxCells);
+        return new[] { asked, Whole(cells), Whole(cells - 1), Whole(cells + 1), GridShape.Usual }.First(shape => shape.Problem is null);
+
+        GridShape Whole(int count) => new(count * cell, cell);
     }
 
     private static PairOptions PairsOf(IniFile ini)

@@ -30,6 +30,12 @@ public abstract class FrameChannel
     /// <param name="file">The path of the map in it.</param>
     public virtual int? BitsOf(IChannelLabel label, string file) => BitsPerPixel;
 
+    /// <summary>The size of its maps, pixels; that of the frame's image unless the channel says otherwise.</summary>
+    /// <param name="label">What the channel says.</param>
+    /// <param name="camera">The camera of the frame.</param>
+    public virtual (int Width, int Height) SizeOf(IChannelLabel label, CameraLabel camera) =>
+        camera is null ? throw new ArgumentNullException(nameof(camera)) : (camera.Width, camera.Height);
+
     /// <summary>What the channel says in a frame; null if the frame does not have it.</summary>
     public abstract IChannelLabel? LabelIn(ChannelLabels labels);
 

@@ -24,17 +24,23 @@ public static class FrameChannels
     /// <summary>The channel of dense motion.</summary>
     public static FlowChannel Flow { get; } = new();
 
+    /// <summary>The channel of bird's-eye maps.</summary>
+    public static BirdsEyeChannel BirdsEye { get; } = new();
+
     /// <summary>The channel of the detections of radars.</summary>
     public static RadarsChannel Radars { get; } = new();
 
     /// <summary>The channel of the inertial unit.</summary>
     public static ImuChannel Imu { get; } = new();
 
+    /// <summary>The channel of the satellite receiver.</summary>
+    public static GnssChannel Gnss { get; } = new();
+
     /// <summary>The channels whose fields stand before the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow];
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow, BirdsEye];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs, Imu, Radars];
+    internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs, Imu, Gnss, Radars];
 
     /// <summary>All channels.</summary>
     public static IReadOnlyList<FrameChannel> All { get; } = [.. Maps, .. Others];

@@ -13,6 +13,12 @@ public sealed record ImuNoise
     /// <summary>The names of the values as text.</summary>
     public const string Form = "gyro=N, gyroWalk=N, accel=N and accelWalk=N";
 
+    /// <summary>
+    /// The greatest values as text, hundreds of times those of the worst units: what such a unit measures is still within what
+    /// harvester validate takes for a vehicle.
+    /// </summary>
+    public const string Limits = "at most 1, 0.1, 10 and 10";
+
     /// <summary>The name of a predefined unit.</summary>
     public const string Adis16448 = "adis16448";
 
@@ -95,16 +101,16 @@ public sealed record ImuNoise
     private static ImuNoise? With(ImuNoise noise, string name, double value) =>
         name switch
         {
-            "gyro" => noise with { Gyroscope = value },
-            "gyroWalk" => noise with { GyroscopeWalk = value },
-            "accel" => noise with { Accelerometer = value },
-            "accelWalk" => noise with { AccelerometerWalk = value },
+            "gyro" when value <= 1 => noise with { Gyroscope = value },
+            "gyroWalk" when value <= 0.1 => noise with { GyroscopeWalk = value },
+            "accel" when value <= 10 => noise with { Accelerometer = value },
+            "accelWalk" when value <= 10 => noise with { AccelerometerWalk = value },
             _ => null,
         };
 
     private static double? Value(string text) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double value)
-        && value is >= 0 and <= 1000
+        && value >= 0
             ? value
             : null;
 }

@@ -82,6 +82,7 @@ public sealed class SimulatedGame
             Sky = new SkyPort(this),
             Sheets = new SheetsPort(this),
             Surfaces = new SurfacePort(this),
+            Ground = new GroundPort(this),
             Hud = new HudPort(this),
             Card = new CardPort(this),
             Stage = options.Stage is null ? null : new StagePort(this),

@@ -42,6 +42,7 @@ internal sealed class SimulatedWorld
     private readonly Func<EgoWatch> _newWatch;
     private readonly ReplayedTraffic? _replayed;
     private readonly int _lastHandleInTraffic;
+    private readonly Lazy<GroundPlan> _ground;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0) { }
@@ -75,6 +76,7 @@ internal sealed class SimulatedWorld
         Truth = new RoadTruth(site.Index);
         Paint = site.Paint;
         Marks = site.Marks;
+        _ground = site.GroundPlan;
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
@@ -195,6 +197,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The stop lines and pedestrian crossings.</summary>
     public IReadOnlyList<PaintedMark> Marks { get; }
+
+    /// <summary>The ground as faces.</summary>
+    public GroundPlan Ground => _ground.Value;
 
     /// <summary>Puts actors into the world; null unless the options set a stage.</summary>
     public WorldStage? Stage { get; }

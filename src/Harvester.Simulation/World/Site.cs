@@ -36,6 +36,7 @@ internal sealed class Site
         Marks = new RoadPainter(plan, paint, Index, asphalt, ground, new PaintWear(seed, wear)).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Ground = [.. ground.Instances()];
+        GroundPlan = new Lazy<GroundPlan>(() => new GroundPlan(plan.Roads, asphalt, Marks, Ground));
     }
 
     public RoadNetwork Network { get; }
@@ -65,6 +66,9 @@ internal sealed class Site
 
     /// <summary>The meshes of ground, roads and paint.</summary>
     public IReadOnlyList<MeshInstance> Ground { get; }
+
+    /// <summary>The ground as faces; made when first asked for.</summary>
+    public Lazy<GroundPlan> GroundPlan { get; }
 
     /// <summary>A town generated from a seed.</summary>
     /// <param name="seed">The seed.</param>

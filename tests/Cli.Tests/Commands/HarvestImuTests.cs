@@ -63,6 +63,7 @@ public sealed class HarvestImuTests : IDisposable
     [InlineData("--imu-noise needs --imu.", "--imu-noise", "gyro=1")]
     [InlineData("--imu-noise takes a comma-separated list of gyro=N", "--imu", "--imu-noise", "gyro")]
     [InlineData("--imu-noise takes a comma-separated list of gyro=N", "--imu", "--imu-noise", "gyro=-1")]
+    [InlineData("at most 1, 0.1, 10 and 10", "--imu", "--imu-noise", "gyro=1000")]
     [InlineData("--imu-noise takes a comma-separated list of gyro=N", "--imu", "--imu-noise", "gyro=NaN")]
     [InlineData("--imu-noise takes a comma-separated list of gyro=N", "--imu", "--imu-noise", "gyro=1,speed=2")]
     public void Impossible_noise_is_refused(string message, params string[] options) =>

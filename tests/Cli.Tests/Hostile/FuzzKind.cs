@@ -146,6 +146,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Relabel,
             Export("middlebury-flow")
         ),
+        new("birds-eye", "session/birds-eye/00000000.png", ValidatePictures, "validate {0}/session", Relabel, Export("mcap")),
+        new("birds-eye-visible", "session/birds-eye-visible/00000000.png", ValidatePictures, "validate {0}/session", Export("mcap")),
         new(
             "map",
             "maps/0.png",
@@ -172,6 +174,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("middlebury-flow", "middlebury-flow", "other-gt-flow/000001/flow10.flo"),
         Dataset("euroc", "euroc", "train/0000/mav0/imu0/data.csv"),
         Dataset("euroc-states", "euroc", "train/0000/mav0/state_groundtruth_estimate0/data.csv"),
+        Dataset("euroc-gnss", "euroc", "train/0000/mav0/gnss0/data.csv"),
         Dataset("voc", "voc", "Annotations/00000000.xml"),
         Dataset("yolo", "yolo", "labels/train/00000000.txt"),
         Dataset("outlines", "yolo-segment", "labels/train/00000000.txt"),

@@ -56,6 +56,7 @@ internal sealed class LabelOracle(IReadOnlyList<JsonElement> lines)
             "controls" => Whole("drive"),
             "drive_ticks" => Items(line, "drive.ticks"),
             "imu" => Whole("imu"),
+            "gnss" => Whole("gnss"),
             "lane_vehicles" => Items(line, "lanes.vehicles"),
             "lane_lines" => Lines(),
             "lane_points" => Lines().SelectMany(item => Items(item.Element, "points").Select((_, point) => item with { Point = point })),

@@ -55,6 +55,7 @@ public sealed class ParquetFieldTests(SimulatedSession simulated) : ExportTests
             ["drive_ticks"] = "drive.ticks[].",
             ["lane_vehicles"] = "lanes.vehicles[].",
             ["imu"] = "imu.",
+            ["gnss"] = "gnss.",
         };
         HashSet<string> documented =
         [

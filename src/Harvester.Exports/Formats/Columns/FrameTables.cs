@@ -87,6 +87,10 @@ internal static class FrameTables
                 ),
                 TableField.Of("flow_error_pixels", ColumnKind.Number, "flow.errorPixels", "px"),
                 TableField.Of("flow_rays_cast", ColumnKind.Integer, "flow.raysCast"),
+                .. TableField.Fields("birds_eye_", ColumnKind.Text, "birdsEye", "", "file", "visible"),
+                TableField.Of("birds_eye_cells", ColumnKind.Integer, "birdsEye.cells"),
+                TableField.Of("birds_eye_cell_metres", ColumnKind.Number, "birdsEye.cellMetres", "m"),
+                TableField.Of("birds_eye_source", ColumnKind.Word, "birdsEye.source"),
                 .. TableField.Fields(
                     "rays_",
                     ColumnKind.Integer,

@@ -22,6 +22,7 @@ internal static class LabelTables
         SensorTables.Lidar,
         SensorTables.Radar,
         SensorTables.Imu,
+        SensorTables.Gnss,
         FrameTables.Pairs,
     ];
 }

@@ -56,4 +56,18 @@ internal static class SensorTables
             ],
             (frame, label) => LabelTable.At(label, "imu") is { ValueKind: JsonValueKind.Object } imu ? [new TableRow(frame, imu)] : []
         );
+
+    /// <summary>A row for each frame with samples of the satellite receiver; its lists have one or three entries for each sample.</summary>
+    public static LabelTable Gnss { get; } =
+        new(
+            "gnss",
+            "the samples of the satellite receiver since the frame before, with three numbers of positions and velocities for each time",
+            [
+                Frame,
+                TableField.Of("times_seconds", ColumnKind.Numbers, "timesSeconds", "s"),
+                TableField.Of("positions", ColumnKind.Numbers, "positions", "degrees and m, WGS 84"),
+                TableField.Of("velocities", ColumnKind.Numbers, "velocities", "m/s, world"),
+            ],
+            (frame, label) => LabelTable.At(label, "gnss") is { ValueKind: JsonValueKind.Object } gnss ? [new TableRow(frame, gnss)] : []
+        );
 }

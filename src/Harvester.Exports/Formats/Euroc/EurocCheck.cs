@@ -53,8 +53,13 @@ internal static class EurocCheck
 
         string imu = $"{folder}/{EurocFiles.Imu}";
         string states = $"{folder}/{EurocFiles.States}";
+        string gnss = $"{folder}/{EurocFiles.Gnss}";
+        IEnumerable<SessionProblem> located = dataset.Folders(folder).Contains(gnss)
+            ? TableProblems(dataset, gnss, EurocFiles.GnssColumns, GnssProblem)
+            : [];
         foreach (
             SessionProblem problem in TableProblems(dataset, imu, EurocFiles.ImuColumns, ImuProblem)
+                .Concat(located)
                 .Concat(TableProblems(dataset, states, EurocFiles.StateColumns, StateProblem))
         )
         {
@@ -75,7 +80,9 @@ internal static class EurocCheck
             yield return new SessionProblem(name, null, "it is missing.");
         }
 
-        if (!folder.EndsWith(EurocFiles.States, StringComparison.Ordinal) && !dataset.Has($"{folder}/{EurocFiles.Sensor}"))
+        bool isDescribed =
+            !folder.EndsWith(EurocFiles.States, StringComparison.Ordinal) && !folder.EndsWith(EurocFiles.Gnss, StringComparison.Ordinal);
+        if (isDescribed && !dataset.Has($"{folder}/{EurocFiles.Sensor}"))
         {
             yield return new SessionProblem($"{folder}/{EurocFiles.Sensor}", null, "it is missing.");
         }
@@ -114,6 +121,11 @@ internal static class EurocCheck
 
     private static string? ImuProblem(string[] words) =>
         Numbers.Parse(words.Skip(1)) is { Length: ImuNumbers } ? null : $"it has not {ImuNumbers} numbers after its time.";
+
+    private static string? GnssProblem(string[] words) =>
+        Numbers.Parse(words.Skip(1)) is { Length: ImuNumbers } numbers && Math.Abs(numbers[0]) <= 90 && Math.Abs(numbers[1]) <= 180
+            ? null
+            : $"it has not the {ImuNumbers} numbers of a place on Earth and a velocity after its time.";
 
     private static string? StateProblem(string[] words)
     {

@@ -17,6 +17,10 @@ internal static class EurocFiles
         + "v_RS_R_x [m s^-1], v_RS_R_y [m s^-1], v_RS_R_z [m s^-1], b_w_RS_S_x [rad s^-1], b_w_RS_S_y [rad s^-1], b_w_RS_S_z [rad s^-1], "
         + "b_a_RS_S_x [m s^-2], b_a_RS_S_y [m s^-2], b_a_RS_S_z [m s^-2]";
 
+    /// <summary>First line of the samples of the satellite receiver, which EuRoC itself does not have.</summary>
+    public const string GnssColumns =
+        "#timestamp [ns],latitude [deg],longitude [deg],altitude [m],v_east [m s^-1],v_north [m s^-1],v_up [m s^-1]";
+
     /// <summary>The folder of a sequence.</summary>
     public static string FolderOf(string split, string sequence) => $"{split}/{sequence}/mav0";
 
@@ -25,6 +29,9 @@ internal static class EurocFiles
 
     /// <summary>The folder of the inertial unit.</summary>
     public const string Imu = "imu0";
+
+    /// <summary>The folder of the satellite receiver.</summary>
+    public const string Gnss = "gnss0";
 
     /// <summary>The folder of the true states.</summary>
     public const string States = "state_groundtruth_estimate0";

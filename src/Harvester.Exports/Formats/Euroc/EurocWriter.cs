@@ -13,10 +13,13 @@ internal sealed class EurocWriter : IDatasetWriter
     private const char Between = '|';
     private const string ImagePart = "image";
     private const string ImuPart = "imu";
+    private const string GnssPart = "gnss";
     private const string StatePart = "state";
     private const string NoisePart = "noise";
     private const int RateDecimals = 9;
     private const int ForceDecimals = 7;
+    private const int DegreeDecimals = 10;
+    private const int VelocityDecimals = 5;
     private const int MetreDecimals = 4;
     private const int QuaternionDecimals = 9;
     private const int RateOfUnitDecimals = 3;
@@ -73,6 +76,7 @@ internal sealed class EurocWriter : IDatasetWriter
                             {
                                 ImagePart => EurocFiles.ImageColumns,
                                 ImuPart => EurocFiles.ImuColumns,
+                                GnssPart => EurocFiles.GnssColumns,
                                 _ => EurocFiles.StateColumns,
                             } + "\n"
                         ),
@@ -93,6 +97,16 @@ internal sealed class EurocWriter : IDatasetWriter
                 NameOf(ImuPart, folder, EurocFiles.Imu),
                 $"{Nanoseconds(sample.TimeSeconds)},{Row(RateDecimals, rate.X, rate.Y, rate.Z)},"
                     + Row(ForceDecimals, force.X, force.Y, force.Z)
+            );
+        }
+
+        foreach (GnssSample sample in frame.Label.Channels.Get<GnssLabel>()?.Samples ?? [])
+        {
+            output.Part(
+                NameOf(GnssPart, folder, EurocFiles.Gnss),
+                $"{Nanoseconds(sample.TimeSeconds)},{Row(DegreeDecimals, sample.LatitudeDegrees, sample.LongitudeDegrees)},"
+                    + $"{Row(MetreDecimals, sample.Altitude)},"
+                    + Row(VelocityDecimals, sample.Velocity.X, sample.Velocity.Y, sample.Velocity.Z)
             );
         }
 

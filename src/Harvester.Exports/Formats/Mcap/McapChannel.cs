@@ -30,6 +30,8 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel Events { get; } = new(12, "/events", "gtaharvest.OpenEvents");
 
+    public static McapChannel BirdsEye { get; } = new(13, "/birds_eye", "foxglove.Grid");
+
     /// <summary>The channels of every file, by number.</summary>
     public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
 
@@ -39,12 +41,9 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
     /// <summary>The further channels of a file with events.</summary>
     public static McapChannel[] OfEvents { get; } = [Events];
 
+    /// <summary>The further channels of a file with bird's-eye maps.</summary>
+    public static McapChannel[] OfGrids { get; } = [BirdsEye];
+
     /// <summary>All channels, by number.</summary>
-    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives, .. OfEvents];
-
-    /// <summary>Whether a channel, by its number, is one of a recorded drive.</summary>
-    public static bool IsOfDrive(int id) => id >= Action.Id && id < Events.Id;
-
-    /// <summary>Whether a channel, by its number, is that of events.</summary>
-    public static bool IsOfEvents(int id) => id == Events.Id;
+    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives, .. OfEvents, .. OfGrids];
 }

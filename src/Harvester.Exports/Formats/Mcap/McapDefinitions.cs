@@ -15,6 +15,15 @@ internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IRea
     /// <summary>Those that events add.</summary>
     public static McapDefinitions OfEvents { get; } = new(McapChannel.OfEvents, NamesOf(McapChannel.OfEvents));
 
+    /// <summary>Those that bird's-eye maps add.</summary>
+    public static McapDefinitions OfGrids { get; } = new(McapChannel.OfGrids, NamesOf(McapChannel.OfGrids));
+
+    /// <summary>Those that only some files have, in the order of their numbers; a file has them from their first message on.</summary>
+    public static IReadOnlyList<McapDefinitions> OfSome { get; } = [OfDrives, OfEvents, OfGrids];
+
+    /// <summary>Whether a channel, by its number, is one of these.</summary>
+    public bool Has(int id) => Channels.Any(channel => channel.Id == id);
+
     /// <summary>These and others.</summary>
     public McapDefinitions With(McapDefinitions others) => new([.. Channels, .. others.Channels], [.. Schemas, .. others.Schemas]);
 

@@ -16,8 +16,7 @@ internal sealed class McapFile
     private readonly List<ChunkEntry> _chunks = [];
     private long _position;
     private uint _crc;
-    private bool _hasDrive;
-    private bool _hasEvents;
+    private readonly HashSet<McapDefinitions> _defined = [];
 
     private McapFile(Stream stream) => _stream = stream;
 
@@ -37,19 +36,14 @@ internal sealed class McapFile
         {
             ChunkEntry entry = ChunkEntry.Of(chunk, file._position);
 
-            // The channels of drives and events are defined where they are first used, because only the chunks tell of them.
-            if (!file._hasDrive && entry.Messages.Any(McapChannel.IsOfDrive))
+            // The channels that only some files have are defined where they are first used, because only the chunks tell of them.
+            foreach (McapDefinitions some in McapDefinitions.OfSome.Where(some => entry.Messages.Any(some.Has)))
             {
-                file._hasDrive = true;
-                file.Define(McapDefinitions.OfDrives);
-                entry = ChunkEntry.Of(chunk, file._position);
-            }
-
-            if (!file._hasEvents && entry.Messages.Any(McapChannel.IsOfEvents))
-            {
-                file._hasEvents = true;
-                file.Define(McapDefinitions.OfEvents);
-                entry = ChunkEntry.Of(chunk, file._position);
+                if (file._defined.Add(some))
+                {
+                    file.Define(some);
+                    entry = ChunkEntry.Of(chunk, file._position);
+                }
             }
 
             file._chunks.Add(entry);
@@ -83,8 +77,9 @@ internal sealed class McapFile
     {
         long start = _position;
         _crc = 0;
-        McapDefinitions definitions = _hasDrive ? McapDefinitions.OfSessions.With(McapDefinitions.OfDrives) : McapDefinitions.OfSessions;
-        definitions = _hasEvents ? definitions.With(McapDefinitions.OfEvents) : definitions;
+        McapDefinitions definitions = McapDefinitions
+            .OfSome.Where(_defined.Contains)
+            .Aggregate(McapDefinitions.OfSessions, static (all, some) => all.With(some));
         (McapOpcode Kind, long Start, long Length)[] groups =
         [
             Group(McapOpcode.Schema, [definitions.SchemaRecords()]),

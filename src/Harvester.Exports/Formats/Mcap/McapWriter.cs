@@ -53,6 +53,11 @@ internal sealed class McapWriter : IDatasetWriter
             all.Add(new(McapChannel.Events, EventMessage.Of(events, nanoseconds)));
         }
 
+        if (label.Channels.Get<BirdsEyeLabel>() is { } map)
+        {
+            all.Add(new(McapChannel.BirdsEye, GridMessage.Of(frame, map, nanoseconds)));
+        }
+
         output.StagedPart(
             $"{frame.Split}/{frame.SequenceIndex:D4}.mcap",
             frame.Name + ".chunk",

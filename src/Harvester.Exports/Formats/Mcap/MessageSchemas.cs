@@ -24,6 +24,7 @@ internal static class MessageSchemas
         Gtaharvest.DriveTick.Descriptor,
         Imu.Descriptor,
         OpenEvents.Descriptor,
+        Grid.Descriptor,
     }.ToDictionary(message => message.FullName, StringComparer.Ordinal);
 
     /// <summary>Full names of the messages of the channels, each once.</summary>

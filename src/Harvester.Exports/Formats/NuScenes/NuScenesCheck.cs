@@ -84,6 +84,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             problems.AddRange(GeometryProblems());
         }
 
+        problems.AddRange(SegmentProblems());
         if (!dataset.Has(FileOf(NuScenesMapOffsets.Name)))
         {
             problems.Add(new SessionProblem(FileOf(NuScenesMapOffsets.Name), null, "it is missing."));
@@ -253,6 +254,21 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         }
 
         return [];
+    }
+
+    /// <summary>The first problem of each table of classes and instances of points; a dataset may have none of them.</summary>
+    private IEnumerable<SessionProblem> SegmentProblems()
+    {
+        var check = new NuScenesSegmentCheck(dataset, _tables["sample_data"], _tables["category"]);
+        foreach (string table in new[] { NuScenesSegments.Classes, NuScenesSegments.Instances }.Where(table => dataset.Has(FileOf(table))))
+        {
+            string? problem = ReadProblem(table) is { } text && !IsList(table) ? text : null;
+            problem ??= Checked(() => check.ProblemOf(table, _tables[table]));
+            if (problem is not null)
+            {
+                yield return new SessionProblem(FileOf(table), null, problem);
+            }
+        }
     }
 
     private string? SplitProblem() =>

@@ -10,18 +10,32 @@ internal static class NuScenesClasses
     private const string Police = "vehicle.emergency.police";
     private const string Ambulance = "vehicle.emergency.ambulance";
 
-    /// <summary>The categories that are used, in nuScenes' order.</summary>
-    public static IReadOnlyList<string> Categories { get; } =
+    /// <summary>The category of points without a class.</summary>
+    public const string Noise = "noise";
+
+    /// <summary>The index of the first category of stuff, which has no instances; those of things are less, and greater than 0.</summary>
+    public const int FirstStuff = 24;
+
+    /// <summary>The categories that are used, with the index that nuScenes-lidarseg has for each, in its order.</summary>
+    public static IReadOnlyList<(string Name, int Index)> Categories { get; } =
     [
-        "human.pedestrian.adult",
-        "vehicle.bicycle",
-        "vehicle.bus.rigid",
-        Car,
-        Ambulance,
-        Police,
-        "vehicle.motorcycle",
-        "vehicle.trailer",
-        "vehicle.truck",
+        (Noise, 0),
+        ("human.pedestrian.adult", 2),
+        ("vehicle.bicycle", 14),
+        ("vehicle.bus.rigid", 16),
+        (Car, 17),
+        (Ambulance, 19),
+        (Police, 20),
+        ("vehicle.motorcycle", 21),
+        ("vehicle.trailer", 22),
+        ("vehicle.truck", 23),
+        ("flat.driveable_surface", FirstStuff),
+        ("flat.other", 25),
+        ("flat.sidewalk", 26),
+        ("flat.terrain", 27),
+        ("static.manmade", 28),
+        ("static.other", 29),
+        ("static.vegetation", 30),
     ];
 
     /// <summary>All attributes of nuScenes.</summary>
@@ -41,24 +55,28 @@ internal static class NuScenesClasses
     public static IReadOnlyList<(string Level, double From)> Visibilities { get; } =
     [("v0-40", 0), ("v40-60", 0.4), ("v60-80", 0.6), ("v80-100", 0.8)];
 
+    /// <summary>The index of a category.</summary>
+    public static int IndexOf(string category) => Categories.First(each => each.Name == category).Index;
+
     /// <summary>The category of an object; null if nuScenes does not annotate it. Riders belong to their vehicles.</summary>
-    public static string? CategoryOf(ObjectLabel label) =>
-        label.Parent is not null
-            ? null
-            : label.Class switch
-            {
-                ObjectClass.Rider => null,
-                ObjectClass.Pedestrian => "human.pedestrian.adult",
-                ObjectClass.Bicycle => "vehicle.bicycle",
-                ObjectClass.Bus => "vehicle.bus.rigid",
-                ObjectClass.Motorcycle => "vehicle.motorcycle",
-                ObjectClass.Trailer => "vehicle.trailer",
-                _ when label.Model.StartsWith("police", StringComparison.Ordinal) => Police,
-                _ when label.Model.StartsWith("ambulance", StringComparison.Ordinal) => Ambulance,
-                ObjectClass.Car => Car,
-                ObjectClass.Truck => "vehicle.truck",
-                _ => null,
-            };
+    public static string? CategoryOf(ObjectLabel label) => label.Parent is not null ? null : CategoryOf(label.Class, label.Model);
+
+    /// <summary>The category of an entity; null if nuScenes does not annotate it. Riders belong to their vehicles.</summary>
+    public static string? CategoryOf(ObjectClass kind, string model) =>
+        kind switch
+        {
+            ObjectClass.Rider => null,
+            ObjectClass.Pedestrian => "human.pedestrian.adult",
+            ObjectClass.Bicycle => "vehicle.bicycle",
+            ObjectClass.Bus => "vehicle.bus.rigid",
+            ObjectClass.Motorcycle => "vehicle.motorcycle",
+            ObjectClass.Trailer => "vehicle.trailer",
+            _ when model.StartsWith("police", StringComparison.Ordinal) => Police,
+            _ when model.StartsWith("ambulance", StringComparison.Ordinal) => Ambulance,
+            ObjectClass.Car => Car,
+            ObjectClass.Truck => "vehicle.truck",
+            _ => null,
+        };
 
     /// <summary>The attribute of an object; null if it has none.</summary>
     /// <param name="category">Its category.</param>

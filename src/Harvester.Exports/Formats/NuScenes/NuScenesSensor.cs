@@ -21,6 +21,9 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     /// <summary>Extension of the files of radars; those of LiDARs have another.</summary>
     public const string RadarExtension = ".pcd";
 
+    /// <summary>What kind of sensor a LiDAR is, as the tables say.</summary>
+    public const string Lidar = "lidar";
+
     /// <summary>Whether it is a camera.</summary>
     public bool IsCamera => Width > 0;
 
@@ -28,7 +31,7 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     public string Modality =>
         IsCamera ? "camera"
         : IsRadar(File) ? "radar"
-        : "lidar";
+        : Lidar;
 
     /// <summary>Whether a file is that of a radar.</summary>
     public static bool IsRadar(string file) => file.EndsWith(RadarExtension, StringComparison.Ordinal);

@@ -54,7 +54,7 @@ internal static class NuScenesTables
                 NuScenesClasses.Attributes.Select(name => Named(AttributeToken(name), name))
             ),
             new NuScenesRecords("calibrated_sensor", scene => Calibrations(scene, calibrated)),
-            new NuScenesRecords("category", None, NuScenesClasses.Categories.Select(name => Named(CategoryToken(name), name))),
+            new NuScenesRecords("category", None, NuScenesClasses.Categories.Select(each => Category(each.Name, each.Index))),
             new NuScenesRecords("ego_pose", NuScenesDataTables.Poses),
             new NuScenesRecords("instance", NuScenesObjectTables.Instances),
             new NuScenesRecords("log", scene => [Log(scene)]),
@@ -106,6 +106,13 @@ internal static class NuScenesTables
             json.WriteString("token", token);
             json.WriteString("name", name);
             json.WriteString("description", "");
+        };
+
+    private static Action<Utf8JsonWriter> Category(string name, int index) =>
+        json =>
+        {
+            Named(CategoryToken(name), name)(json);
+            json.WriteNumber("index", index);
         };
 
     private static Action<Utf8JsonWriter> Visibility(int token, string level) =>

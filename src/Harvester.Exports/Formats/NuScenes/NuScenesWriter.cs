@@ -65,6 +65,10 @@ internal sealed class NuScenesWriter : IDatasetWriter
             string file = PathOf(frame, isKey, lidar.Name, timestamp, ".pcd.bin");
             output.File(file, stream => WritePoints(stream, points, RingsOf(lidar)));
             sensors.Add(NuScenesSensor.Of(lidar, file));
+            if (isKey)
+            {
+                NuScenesSegments.Write(frame, file, points, output);
+            }
         }
 
         foreach (RadarScan detected in label.Channels.Get<RadarsLabel>()?.Scans ?? [])
@@ -151,6 +155,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
             .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
             .. NuScenesMap.Files(scenes),
             .. NuScenesExpansions.Files(scenes, parts.ContainsKey),
+            .. parts.ContainsKey(NuScenesSegments.Part) ? NuScenesSegments.Tables(FramePart) : [],
         ];
     }
 
