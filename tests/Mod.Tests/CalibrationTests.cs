@@ -15,6 +15,7 @@ public sealed class CalibrationTests
     private const string Ini = "[Harvest]\nWidth = 400\nHeight = 300\n[Lens]\n; mine\nK2 = 0\nMaxError = 0.5\n";
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_refuses_a_wrong_lens_until_it_is_calibrated()
     {
         var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };

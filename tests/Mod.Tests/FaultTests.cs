@@ -20,6 +20,7 @@ public sealed class FaultTests
 
     [Theory]
     [MemberData(nameof(SomeNatives))]
+    [Trait("Category", "Heavy")]
     public void Failing_native_is_reported_and_everything_recovers_after_it(Hash native) => FailAndRecover(native);
 
     [Theory]

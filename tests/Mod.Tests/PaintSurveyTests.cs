@@ -22,6 +22,7 @@ public sealed class PaintSurveyTests
     private const string Done = "The survey of paint is done: 4 pictures";
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Key_photographs_the_road_from_above_and_gives_all_back()
     {
         using ScriptDriver driver = OnRoad();
@@ -59,6 +60,7 @@ public sealed class PaintSurveyTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Vehicles_and_people_are_hidden_in_each_picture()
     {
         var screen = new WatchedScreen();
@@ -81,6 +83,7 @@ public sealed class PaintSurveyTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Survey_that_was_stopped_continues_with_what_is_left()
     {
         using ScriptDriver driver = OnRoad();

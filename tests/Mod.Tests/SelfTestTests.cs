@@ -51,6 +51,7 @@ public sealed class SelfTestTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Second_press_ends_it_and_gives_everything_back()
     {
         var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);

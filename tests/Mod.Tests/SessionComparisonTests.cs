@@ -19,6 +19,7 @@ public sealed class SessionComparisonTests
     private const string Ini = "[Harvest]\nWidth = 64\nHeight = 48\nRate = 5\nMasks = On\nOcclusionRays = 16\n";
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Session_of_the_mod_equals_one_recorded_without_it()
     {
         FaceTable faces = ReadFaces(out string table);

@@ -65,6 +65,7 @@ public class SimulatedGameTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Ego_drives_within_its_lane_outside_junctions()
     {
         SimulatedGame game = new(

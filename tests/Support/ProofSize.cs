@@ -1,8 +1,8 @@
 namespace Harvester.TestSupport;
 
 /// <summary>
-/// How many cases a heavier proof has. CI tries a share of them, in the time that it has; HARVESTER_PROOFS=full tries all, which is where the
-/// figures of the documentation come from.
+/// How many cases a heavier proof has. CI tries a share of them, in the time that it has; HARVESTER_PROOFS=full tries all, which is where
+/// the figures of the documentation come from.
 /// </summary>
 internal static class ProofSize
 {

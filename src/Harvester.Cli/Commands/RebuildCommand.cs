@@ -15,10 +15,11 @@ namespace Harvester.Cli.Commands;
 internal sealed class RebuildCommand
 {
     private const string Notes =
-        "A recipe is a JSON file with the commands that make a dataset, in their order, each with the folder that it writes. A dataset can\n"
-        + "so be passed on without its images. The folder --out receives the folders of the steps and the file dataset.lock: the recipe with\n"
-        + "the digests of its inputs and of the folders. Given to this command on another machine, it says whether the bytes are the same;\n"
-        + "if they are not, the exit code is 1. A command that was stopped continues when it is given again. docs/rebuild.md has details.\n\n"
+        "A recipe is a JSON file with the commands that make a dataset, in their order, each with the folder that it writes. A\n"
+        + "dataset can so be passed on without its images. The folder --out receives the folders of the steps and the file\n"
+        + "dataset.lock: the recipe with the digests of its inputs and of the folders. Given to this command on another machine, it\n"
+        + "says whether the bytes are the same; if they are not, the exit code is 1. A command that was stopped continues when it is\n"
+        + "given again. docs/rebuild.md has details.\n\n"
         + "Examples:\n"
         + "  harvester rebuild data/recipes/four-weathers.json --out dataset\n"
         + "  harvester rebuild dataset/dataset.lock --out again\n"
@@ -159,9 +160,8 @@ internal sealed class RebuildCommand
             if (parts is not [var name, { Length: > 0 } path] || !recipe.Inputs.Any(input => input.Name == name))
             {
                 string names = string.Join(", ", recipe.Inputs.Select(input => input.Name));
-                throw new UsageException(
-                    $"--input '{text}' is not of the form NAME=FILE. {(names.Length > 0 ? $"Inputs: {names}." : "The recipe has no inputs.")}"
-                );
+                string known = names.Length > 0 ? $"Inputs: {names}." : "The recipe has no inputs.";
+                throw new UsageException($"--input '{text}' is not of the form NAME=FILE. {known}");
             }
 
             if (!paths.TryAdd(name, Path.GetFullPath(path)))

@@ -5,8 +5,8 @@ using Harvester.Sessions.Files;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// The folder of a command that makes a folder of its own for each of several runs, and then a file that describes them: new, empty, or what
-/// the same command left unfinished.
+/// The folder of a command that makes a folder of its own for each of several runs, and then a file that describes them: new, empty, or
+/// what the same command left unfinished.
 /// </summary>
 internal sealed class RunsOutput : IDisposable
 {

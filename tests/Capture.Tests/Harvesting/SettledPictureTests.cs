@@ -77,6 +77,7 @@ public sealed class SettledPictureTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Picture_that_keeps_changing_never_settles()
     {
         Assert.Null(SettledAt(tick => 140 + (30 * Math.Sin(tick * 2 * Math.PI / 40)), noise: 3));

@@ -6,6 +6,7 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class CalibrateCommandTests
 {
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Calibrate_finds_the_lens_of_the_simulated_game()
     {
         // In 400 x 300 pixels a marker is located to some 0.1 px of 240 px to the upper edge.
@@ -32,6 +33,7 @@ public sealed class CalibrateCommandTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Calibrate_finds_a_lens_shifted_by_a_tenth_of_the_width()
     {
         CliRun run = CliRun.Of("calibrate", "--seed", "5", "--size", "400x300", "--centre-offset", "0.1,0");

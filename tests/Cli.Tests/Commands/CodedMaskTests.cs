@@ -15,6 +15,7 @@ public sealed class CodedMaskTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labels_have_amodal_masks_with_their_boxes()
     {
         Run("validate", Session);

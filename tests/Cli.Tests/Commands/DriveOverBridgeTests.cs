@@ -109,6 +109,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Locks_of_a_killed_drive_are_no_files_of_others()
     {
         string lockFile = _folder.PathOf("out/.bridge.harvester-lock");

@@ -10,6 +10,7 @@ public sealed class ExampleRoadsTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Example_network_is_that_of_the_town_of_seed_3()
     {
         string session = _folder.PathOf("session");

@@ -16,6 +16,7 @@ public sealed class HarvestCommandTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_writes_a_valid_session_and_names_the_next_command()
     {
         CliRun run = Harvest(Session, "--frames", "3", "--masks");
@@ -161,6 +162,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public async Task Cancelled_harvest_leaves_a_valid_session()
     {
         // A thread of its own cancels once a frame is written: the pool's threads are busy rendering, and no time is right on every
@@ -208,6 +210,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_through_a_lens_labels_what_its_pictures_show()
     {
         // A shift by 0.1 of 160 pixels; the check of the camera model compares the labels' camera with the pictures.
@@ -238,6 +241,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Next_command_of_a_folder_with_a_space_can_be_pasted()
     {
         CliRun run = CliRun.Of("harvest", "--out", Session + " 2", "--frames", "1", "--size", "64x48", "--no-report");

@@ -163,6 +163,7 @@ public sealed class HarvestEventsTests : IDisposable
     [InlineData("\"id\":1,", "\"id\":0,", "ids begin at 1")]
     [InlineData("\"deceleration\":", "\"deceleration\":1", "deceleration is 1")]
     [InlineData("\"endSeconds\":", "\"endSeconds\":-", "must be in this order")]
+    [Trait("Category", "Heavy")]
     public void Damaged_event_is_a_problem(string text, string damage, string problem)
     {
         string session = _folder.PathOf("session");

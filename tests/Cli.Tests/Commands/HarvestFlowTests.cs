@@ -90,6 +90,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Maps_that_disagree_are_a_problem()
     {
         string session = Harvest("damaged", "--frames", "2", "--places", "1");
@@ -108,6 +109,7 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Flags_that_exclude_each_other_are_a_problem()
     {
         string session = Harvest("flags", "--frames", "2", "--places", "1", "--masks", "--semantics", "rays");

@@ -15,6 +15,7 @@ public sealed class HarvestMasksTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Frames_respect_the_ray_limit()
     {
         Harvest(Session, "--frames", "2", "--masks", "--rays", "1000");

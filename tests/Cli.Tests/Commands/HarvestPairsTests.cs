@@ -95,6 +95,7 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Session_with_pairs_is_overwritten_without_leftovers()
     {
         string folder = _folder.PathOf("used");

@@ -52,6 +52,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_into_a_session_requires_overwrite_to_replace_it()
     {
         Harvest(Session, "--frames", "2");
@@ -75,6 +76,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_into_a_session_with_other_files_leaves_both()
     {
         Harvest(Session, "--frames", "1");

@@ -35,6 +35,7 @@ public sealed class KittiFramesTests : IDisposable
     [Theory]
     [InlineData("kitti")]
     [InlineData("kitti-odometry")]
+    [Trait("Category", "Heavy")]
     public void Baselines_and_scanner_are_those_of_the_rig(string format)
     {
         Export(FourCameras, format);

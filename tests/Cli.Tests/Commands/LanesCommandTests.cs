@@ -78,6 +78,7 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lanes_at_the_box_centre_of_a_scene_equal_the_labels()
     {
         string session = _folder.PathOf("session");

@@ -78,6 +78,7 @@ public sealed class MasksCommandTests
 
     /// <summary>The harvest recorded what rays found of objects and faces; what was imported since counts.</summary>
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Relabel_keeps_faces_hidden_that_no_imported_map_shows()
     {
         using var folder = new TemporaryFolder();
@@ -99,6 +100,7 @@ public sealed class MasksCommandTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Import_into_a_session_with_a_report_rewrites_it()
     {
         using var folder = new TemporaryFolder();

@@ -27,6 +27,7 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_labels_lanes_as_painted()
     {
         SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
@@ -49,6 +50,7 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Paint_of_a_road_that_the_table_lacks_is_unknown()
     {
         SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
@@ -63,6 +65,7 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Relabelling_gives_the_lanes_of_a_harvest_with_paint()
     {
         SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
@@ -82,6 +85,7 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Drive_follows_the_painted_lanes()
     {
         SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);

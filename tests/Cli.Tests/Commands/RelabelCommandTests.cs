@@ -134,6 +134,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Relabel_accepts_a_survey_folder_as_harvest_does()
     {
         string survey = Directory.CreateDirectory(_folder.PathOf("survey")).FullName + Path.DirectorySeparatorChar;

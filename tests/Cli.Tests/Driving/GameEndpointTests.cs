@@ -24,6 +24,7 @@ public sealed class BridgedGameTests
     );
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Dead_client_stops_the_car_even_in_a_junction()
     {
         bool isDead = false;

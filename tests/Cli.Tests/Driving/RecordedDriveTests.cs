@@ -136,6 +136,7 @@ public sealed class RecordedDriveTests
     [Theory]
     [InlineData("stanley", 10)]
     [InlineData("deepdriving", 20)]
+    [Trait("Category", "Heavy")]
     public void Controller_tells_what_it_aims_at(string controller, double maxSpeed)
     {
         using TemporaryFolder folder = new();

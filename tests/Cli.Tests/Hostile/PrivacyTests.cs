@@ -31,6 +31,7 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
 
     [Theory]
     [MemberData(nameof(Formats))]
+    [Trait("Category", "Heavy")]
     public void Export_has_no_trace_of_its_origin(string format) =>
         AssertMade(
             $"export {_work.PathOf("session")} --format {format} --out OUT" + (DatasetFormats.Find(format)!.HasMap ? " --roads ROADS" : "")

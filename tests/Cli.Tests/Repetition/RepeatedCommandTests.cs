@@ -146,6 +146,7 @@ public sealed class RepeatedCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Shard_that_was_stopped_is_not_merged()
     {
         Recorded("out", "2", "--shard", "1/2");

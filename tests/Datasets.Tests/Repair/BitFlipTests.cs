@@ -38,6 +38,7 @@ public sealed class BitFlipTests(DamagedSession session) : IClassFixture<Damaged
     [Theory]
     [InlineData("frames/00000001.png")]
     [InlineData("masks/00000001.png")]
+    [Trait("Category", "Heavy")]
     public void Pictures_without_manifest_are_checked_by_decoding(string name)
     {
         session.MakeOlder();

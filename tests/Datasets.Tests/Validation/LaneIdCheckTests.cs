@@ -40,6 +40,7 @@ public sealed class LaneIdCheckTests(SimulatedSession session)
         );
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Unknown_lane_ahead_is_found() =>
         AssertProblem(
             Good with

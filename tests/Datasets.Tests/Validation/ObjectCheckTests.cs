@@ -17,6 +17,7 @@ public sealed class ObjectCheckTests : IDisposable
     [InlineData("[37, 27, 43, 34]", "does not lie within box2dAmodal")]
     [InlineData("[43, 27, 37, 33]", "has no area")]
     [InlineData("[37, 27, 43, 27]", "has no area")]
+    [Trait("Category", "Heavy")]
     public void Validate_finds_an_impossible_box(string box, string message)
     {
         _session.Car(2)["box2d"] = JsonNode.Parse(box);

@@ -97,6 +97,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Fit_reports_the_uncertainty_at_the_corners()
     {
         const double noisePixels = 0.3;

@@ -34,6 +34,7 @@ public sealed class LaneLimitsTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Junction_of_too_many_roads_is_refused()
     {
         RoadNetwork network = Star(210);

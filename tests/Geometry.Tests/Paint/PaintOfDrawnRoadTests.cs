@@ -98,6 +98,7 @@ public sealed class PaintOfDrawnRoadTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void What_one_of_three_images_shows_is_left_out()
     {
         var evidence = new PaintEvidence();

@@ -25,6 +25,7 @@ public sealed class AdaptivePixelMapperTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Run_ids_of_the_targets_change_only_the_ids()
     {
         TownScene scene = TownScene.Numbered(17, Size);

@@ -199,6 +199,7 @@ public sealed class TapeTests
 
     /// <summary>The mod asks for entities within the larger of its two ranges.</summary>
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Mod_with_another_argument_plays_up_to_it()
     {
         byte[] recorded = RecordedGame.Harvest(RecordedGame.Options, RecordedGame.Busy + "Range = 100\nIgnoreRange = 200\n");

@@ -22,6 +22,7 @@ public sealed class RepeatPackerTests
 
     /// <summary>More than the window holds: it moves on several times.</summary>
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Repetition_is_found_within_the_reach_only()
     {
         byte[] first = Random(2, ChunkBytes);
@@ -35,6 +36,7 @@ public sealed class RepeatPackerTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Chunk_larger_than_the_window_comes_back()
     {
         byte[][] chunks = [Random(1, 1000), [.. Random(2, TapeFormat.MaxChunkBytes - 1000), .. Random(1, 1000)], [], [7]];

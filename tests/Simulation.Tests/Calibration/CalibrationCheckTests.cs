@@ -57,6 +57,7 @@ public sealed class CalibrationCheckTests
         AssertRecorded(Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []), isChecked: true);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Step_with_hidden_markers_fails_with_their_number()
     {
         var game = new RenderedGame { HiddenMarkers = 15 };

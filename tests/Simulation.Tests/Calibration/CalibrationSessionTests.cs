@@ -58,6 +58,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Step_finds_the_lens_in_rain()
     {
         var image = new ImageSize(400, 300);
@@ -76,6 +77,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Step_of_a_pinhole_finds_a_pinhole()
     {
         var image = new ImageSize(400, 300);
@@ -87,6 +89,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Step_leaves_the_game_running_without_markers_at_the_end()
     {
         var game = new RenderedGame();

@@ -70,6 +70,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lens_is_checked_on_markers_excluded_from_the_fit()
     {
         // After the coarse grid, its seven coded pictures and the fine grid comes the tenth: the one to check by, of which all markers

@@ -34,6 +34,7 @@ public sealed class CrashStepTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Bodies_hardly_overlap_in_a_pile_up_and_lose_energy()
     {
         // Ten cars drive into a standing one at 30 m/s, 6 m behind each other.

@@ -106,6 +106,7 @@ public sealed class CrashWorldTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Wet_road_lengthens_the_braking_distance_from_the_same_state()
     {
         (double dry, string dryState) = Braked("clear");

@@ -117,6 +117,7 @@ public sealed class EgoManoeuvreTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Same_seed_drives_the_same_way_and_another_differs()
     {
         Assert.Equal(Way(8), Way(8));

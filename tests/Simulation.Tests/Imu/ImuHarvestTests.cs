@@ -76,6 +76,7 @@ public sealed class ImuHarvestTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Unit_does_not_change_what_else_is_recorded()
     {
         FrameLabel label = Harvest(21, frames: 2).Last();

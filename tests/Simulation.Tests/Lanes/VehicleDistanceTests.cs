@@ -19,6 +19,7 @@ public sealed class VehicleDistanceTests
     private const double ExactMetres = 0.05;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Nearest_vehicle_per_lane_is_the_true_one_in_1000_scenes()
     {
         var game = new SimulatedGame(

@@ -28,6 +28,7 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
     [InlineData(486)]
     [InlineData(487)]
     [InlineData(488)]
+    [Trait("Category", "Heavy")]
     public void Lights_and_signs_govern_the_lanes_that_obey_them(int seed)
     {
         Site site = Site.OfTown(seed);

@@ -16,6 +16,7 @@ public sealed class PairTests
     };
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Pictures_are_named_after_what_they_show()
     {
         PairHarvest harvest = PairHarvest.Of(Town, PairHarvest.Options("rain,snow", "6", "nearest-vehicle"));
@@ -163,6 +164,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Objects_that_cannot_be_hidden_are_dropped()
     {
         SimulationOptions fixedObjects = Town with { Quirks = new GameQuirks { UnhideableFraction = 1 } };
@@ -172,6 +174,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Sky_and_objects_are_as_before_afterwards()
     {
         PairHarvest harvest = PairHarvest.Of(Town, PairHarvest.Options("rain", "0", "vehicles"));

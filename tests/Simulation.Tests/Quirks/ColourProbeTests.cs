@@ -8,6 +8,7 @@ namespace Harvester.Simulation.Tests.Quirks;
 public sealed class ColourProbeTests
 {
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Kept_colours_cause_no_warning() => Assert.Null(WarningOf(new GameQuirks(), ColourState.Kept));
 
     [Fact]
@@ -15,6 +16,7 @@ public sealed class ColourProbeTests
         Assert.Null(WarningOf(new GameQuirks { PictureNoiseLevels = 5, PictureLagTicks = 2 }, ColourState.Kept));
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Overexposed_pictures_are_found() =>
         Assert.Contains(
             "a grey of 192 comes back as 255",

@@ -8,6 +8,7 @@ namespace Harvester.Simulation.Tests.Quirks;
 public sealed class DisplayProbeTests
 {
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Game_without_a_display_shows_no_difference() => AssertFinding(new GameQuirks(), DisplayState.NotSeen, null);
 
     [Fact]

@@ -84,6 +84,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lens_and_aspect_move_pixels_according_to_the_camera_model()
     {
         RenderLens bent = new(1.03, 0.01, -0.02, -0.05, 0.01);

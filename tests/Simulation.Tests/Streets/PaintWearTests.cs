@@ -41,6 +41,7 @@ public sealed class PaintWearTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Worn_lines_are_where_new_ones_are()
     {
         IEnumerable<Vector3D> PointsAt(double wear) =>

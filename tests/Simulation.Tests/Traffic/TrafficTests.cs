@@ -9,6 +9,7 @@ namespace Harvester.Simulation.Tests.Traffic;
 public class TrafficTests
 {
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Tick_vehicles_never_overlap()
     {
         SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
@@ -23,6 +24,7 @@ public class TrafficTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Tick_vehicles_stay_in_their_lanes_outside_junctions()
     {
         SimulatedWorld world = new(new SimulationOptions { Seed = 3 });

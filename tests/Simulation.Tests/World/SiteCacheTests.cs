@@ -8,6 +8,7 @@ namespace Harvester.Simulation.Tests.World;
 public class SiteCacheTests
 {
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Worlds_of_one_seed_share_a_site_until_it_is_released()
     {
         var sites = new SiteCache();

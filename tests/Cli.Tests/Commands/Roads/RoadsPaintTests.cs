@@ -46,6 +46,7 @@ public sealed class RoadsPaintTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lines_of_a_straight_road_are_measured()
     {
         CliRun run = CliRun.Of("roads", "paint", Session, "--roads", _roads, "--out", Table);
