@@ -50,7 +50,8 @@ def test_both_schemas_describe_the_same_camera() -> None:
 
 def test_every_field_is_in_the_docs() -> None:
     text = "".join(
-        (ROOT / f"docs/{page}.md").read_text(encoding="utf-8") for page in ("dataset-format", "lanes", "rigs", "imu", "radar")
+        (ROOT / f"docs/{page}.md").read_text(encoding="utf-8")
+        for page in ("dataset-format", "lanes", "rigs", "imu", "radar")
     )
     described = {word for code in re.findall(r"`([^`\n]+)`", text) for word in re.findall(r"\w+", code)}
     fields = {field for schema in SCHEMAS.values() for part in objects_of(schema) for field in part["properties"]}

@@ -59,7 +59,9 @@ def read(session, folder):
     # A point of the world through state, extrinsics and intrinsics is at the pixel that the label's camera gives.
     label = labels[-1]
     seen = label["camera"]
-    point = np.array(seen["position"]) + 9 * np.array(seen["forward"]) + 2 * np.array(seen["right"]) + np.array(seen["up"])
+    point = (
+        np.array(seen["position"]) + 9 * np.array(seen["forward"]) + 2 * np.array(seen["right"]) + np.array(seen["up"])
+    )
     body = matrix_of(states[-1, 4:8]).T @ (point - states[-1, 1:4])
     x, y, z = to_body[:3, :3].T @ (body - to_body[:3, 3])
     pixel = (fx * x / z + cx + 0.5, fy * y / z + cy + 0.5)

@@ -62,7 +62,11 @@ def read(session, folder):
             assert np.allclose(at["rcs"], scan["crossSections"], atol=1e-5)
 
             # The devkit keeps these by default.
-            assert set(at["invalid_state"]) <= {0} and set(at["ambig_state"]) <= {3} and set(at["dyn_prop"]) <= set(range(7))
+            assert (
+                set(at["invalid_state"]) <= {0}
+                and set(at["ambig_state"]) <= {3}
+                and set(at["dyn_prop"]) <= set(range(7))
+            )
             files += 1
             detections += len(ranges)
     assert detections > 0

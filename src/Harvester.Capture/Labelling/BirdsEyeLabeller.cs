@@ -1,5 +1,4 @@
 using Harvester.Capture.Ports;
-using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Grids;
 using Harvester.Geometry.Work;

@@ -11,6 +11,8 @@ namespace Harvester.Exports.Formats.Mcap;
 /// <summary>The message of a bird's-eye map: a grid in the world whose x is the ego's right and whose y is its heading.</summary>
 internal static class GridMessage
 {
+    private static readonly string[] LayerNames = ["class", "visible"];
+
     private const string World = "world";
 
     /// <summary>Writes the message.</summary>
@@ -55,7 +57,7 @@ internal static class GridMessage
             CellSize = new Vector2 { X = map.CellMetres, Y = map.CellMetres },
             RowStride = (uint)(map.Cells * layers.Length),
             CellStride = (uint)layers.Length,
-            Fields = { new[] { "class", "visible" }.Take(layers.Length).Select(FieldOf) },
+            Fields = { LayerNames.Take(layers.Length).Select(FieldOf) },
             Data = UnsafeByteOperations.UnsafeWrap(DataOf(layers, map.Cells)),
         }.ToByteArray();
     }
