@@ -104,7 +104,7 @@ internal sealed class RebuildCommand
         return Compare(terminal, folder, recipe.Steps, steps);
     }
 
-    private static int Compare(Terminal terminal, string folder, IReadOnlyList<RecipeStep> expected, IReadOnlyList<RecipeStep> made)
+    private static int Compare(Terminal terminal, string folder, IReadOnlyList<RecipeStep> expected, List<RecipeStep> made)
     {
         string[] different =
         [

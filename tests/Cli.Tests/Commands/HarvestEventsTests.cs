@@ -108,7 +108,7 @@ public sealed class HarvestEventsTests : IDisposable
 
         int expected = samples.Values.Sum(label => label.Objects.Where(item => IsBox(item)).Sum(item => Expected(label, item.Id).Length));
         Assert.Equal(expected, found);
-        Assert.NotEmpty(names.Values.Where(name => name.StartsWith("event.", StringComparison.Ordinal)));
+        Assert.Contains(names.Values, name => name.StartsWith("event.", StringComparison.Ordinal));
 
         JsonArray Table(string name) => JsonNode.Parse(File.ReadAllText(_folder.PathOf($"nuscenes/v1.0-gta/{name}.json")))!.AsArray();
 

@@ -62,8 +62,8 @@ public sealed class ScenarioChangeTests : IDisposable
         Assert.InRange(SpeedOf([after], 0, "a"), 8 - (7 * 0.6), 8 - (7 * 0.4));
         Assert.True(SpeedOf(yielded, ^1, "a") > SpeedOf([after], 0, "a") + 0.5);
 
-        Assert.NotEmpty(original[^1].Objects.Where(item => item.Id == IdOfActor()));
-        Assert.Empty(Labels("change-03")[(changed + 1)..].SelectMany(label => label.Objects).Where(item => item.Id == IdOfActor()));
+        Assert.Contains(original[^1].Objects, item => item.Id == IdOfActor());
+        Assert.DoesNotContain(Labels("change-03")[(changed + 1)..].SelectMany(label => label.Objects), item => item.Id == IdOfActor());
         Assert.Equal("rain", Labels("change-04")[^1].Environment.Weather);
         JsonNode session = JsonNode.Parse(File.ReadAllText(Path.Combine(Set, "change-03", "session.json")))!;
         Assert.Equal("at slow: without a", (string?)session["settings"]!["change"]);
