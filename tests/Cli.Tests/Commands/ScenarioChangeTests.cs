@@ -104,7 +104,10 @@ public sealed class ScenarioChangeTests : IDisposable
 
     private FrameLabel[] Labels(string run) => [.. new SessionReader(Path.Combine(Set, run)).ReadLabels()];
 
-    /// <summary>The game time at which an event began in the base, seconds.</summary>
+    /// <summary>
+    /// The game time at which an event began in the base, seconds: that of the frame before, and a tick for each game frame since. Game
+    /// frames count the ticks in which the game is frozen for a frame, too; those come before the number that its label has.
+    /// </summary>
     private double TimeOf(string id)
     {
         JsonNode record = JsonNode.Parse(File.ReadAllText(Path.Combine(Set, "base", "scenario.json")))!;
@@ -112,8 +115,8 @@ public sealed class ScenarioChangeTests : IDisposable
             record["events"]!.AsArray().Single(entry => (string?)entry!["event"] == id && (string?)entry["state"] == "begun")![
                 "gameFrame"
             ]!;
-        FrameLabel label = Labels("base")[0];
-        return label.TimeSeconds + ((frame - label.GameFrame) / 60.0);
+        FrameLabel before = Labels("base").Last(label => label.GameFrame <= frame);
+        return before.TimeSeconds + ((frame - before.GameFrame) / 60.0);
     }
 
     private int IdOfActor()
