@@ -13,8 +13,8 @@ internal sealed partial class FaultDriver
     private static readonly int[] Errors = [Fault.DiskFull, Fault.InputOutput, Fault.PermissionDenied];
 
     /// <summary>
-    /// Whether every operation is tried, and the first of each kind with all errors; otherwise only the first of each kind, with one error,
-    /// in turn. CI has no time for more than that of commands that are variants of others.
+    /// Whether every operation is tried, and the first of each kind with all errors; otherwise only the first of each kind, with one error or
+    /// the kill, in turn. CI has no time for more than that of commands that are variants of others.
     /// </summary>
     private readonly bool _isThorough;
 
@@ -94,12 +94,16 @@ internal sealed partial class FaultDriver
                 continue;
             }
 
-            foreach (int error in isNew && _isThorough ? Errors : [Errors[index % Errors.Length]])
-            {
-                Check(new Fault(operation, error));
-            }
+            bool kills = index == 0 || _trial.Command.Only is not null || _operations[index - 1].Kind is not ("open" or "flush" or "close");
 
-            if (index == 0 || _trial.Command.Only is not null || _operations[index - 1].Kind is not ("open" or "flush" or "close"))
+            // Of a variant, every other operation fails, and the others kill.
+            bool fails = _isThorough || !kills || kinds.Count % 2 == 1;
+            int[] errors =
+                !fails ? []
+                : isNew && _isThorough ? Errors
+                : [Errors[index % Errors.Length]];
+            Array.ForEach(errors, error => Check(new Fault(operation, error)));
+            if (kills && (_isThorough || !fails))
             {
                 Check(new Fault(operation, Fault.InputOutput, Kills: true));
             }
