@@ -102,7 +102,7 @@ public sealed class RepairCommandTests : IDisposable
     [InlineData("scenes/00000001.json")]
     public void Repair_of_a_damaged_file_succeeds_or_leaves_no_output(string file)
     {
-        int places = ProofSize.Of(inCi: 15, full: 60);
+        int places = ProofSize.Of(inCi: 8, full: 60);
         Harvest();
         string path = Path.Combine(Session, file);
         byte[] bytes = File.ReadAllBytes(path);

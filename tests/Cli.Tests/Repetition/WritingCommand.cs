@@ -21,7 +21,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         || Words.StartsWith("roads photograph", StringComparison.Ordinal);
 
     /// <summary>Whether others are variants of it: they write through the same code, and to other files.</summary>
-    public bool IsBasic => Name is "harvest" or "drive-record" or "relabel" or "merge" or "export-kitti" or "masks-import" or "pairs";
+    public bool IsBasic => Name is "harvest" or "merge" or "export-kitti";
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
