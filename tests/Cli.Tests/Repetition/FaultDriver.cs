@@ -13,8 +13,8 @@ internal sealed partial class FaultDriver
     private static readonly int[] Errors = [Fault.DiskFull, Fault.InputOutput, Fault.PermissionDenied];
 
     /// <summary>
-    /// Whether every operation is tried, and the first of each kind with all errors; otherwise only the first of each kind, with one error or
-    /// the kill, in turn. CI has no time for more than that of commands that are variants of others.
+    /// Whether every operation is tried, and the first of each kind with all errors; otherwise only the first of each kind, with one error
+    /// or the kill, in turn. CI has no time for more than that of commands that are variants of others.
     /// </summary>
     private readonly bool _isThorough;
 
