@@ -20,7 +20,7 @@ internal sealed class MotionRecorder(IWorld world)
     /// <summary>Takes what an inertial unit measures of each recorded tick; null if there is none.</summary>
     public ImuRecorder? Imu { get; init; }
 
-    /// <summary>Takes what a satellite receiver reports of the recorded ticks; null if there is none.</summary>
+    /// <summary>Records what a satellite receiver reports; null without a receiver.</summary>
     public GnssRecorder? Gnss { get; init; }
 
     /// <summary>The recorder of a harvest; null if it needs none.</summary>

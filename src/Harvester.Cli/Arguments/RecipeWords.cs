@@ -7,8 +7,8 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Cli.Arguments;
 
 /// <summary>
-/// The words of the commands of a recipe. A recipe may come from a stranger: its commands read the files that the user names and what
-/// former steps have written, write their own folder, and nothing else.
+/// The words of the commands of a recipe. A recipe may come from a stranger: its commands may read only the inputs that the user names and
+/// the folders of earlier steps, and write only a folder of their own.
 /// </summary>
 internal static class RecipeWords
 {
@@ -31,7 +31,7 @@ internal static class RecipeWords
     // Whoever rebuilds decides about these.
     private static readonly string[] Refused = [Output, Resume, "--overwrite", "--jobs", MinFreeOption.Name];
 
-    // Of options, the form of the value says whether it is a path.
+    // The type of an option's value, or else its form in the help, says whether it is a path.
     private static readonly string[] PathForms = ["FILE", "DIR", "FILE|DIR", "PATH"];
 
     /// <summary>Checks the command of a step.</summary>
@@ -108,9 +108,13 @@ internal static class RecipeWords
     {
         IEnumerable<Token> ofOptions = parsed
             .CommandResult.Children.OfType<OptionResult>()
-            .Where(result => result.Option.Name != Output && PathForms.Contains(result.Option.HelpName))
+            .Where(result => result.Option.Name != Output && IsPath(result.Option))
             .SelectMany(result => result.Tokens);
         IEnumerable<Token> ofArguments = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(result => result.Tokens);
         return ofOptions.Concat(ofArguments).Select(token => token.Value);
     }
+
+    private static bool IsPath(Option option) =>
+        typeof(FileSystemInfo).IsAssignableFrom(option.ValueType.GetElementType() ?? option.ValueType)
+        || PathForms.Contains(option.HelpName);
 }

@@ -7,9 +7,6 @@ namespace Harvester.Datasets.Validation;
 /// </summary>
 internal static class ImuCheck
 {
-    /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
-    private const double TimeTolerance = 1e-6;
-
     /// <summary>Maximum rate, rad/s: two attitudes a 60th of a second apart show at most half a turn, 188 rad/s.</summary>
     private const double MaxRate = 200;
 
@@ -19,17 +16,13 @@ internal static class ImuCheck
     public static IEnumerable<string> Problems(FrameLabel label)
     {
         IReadOnlyList<ImuSample> samples = label.Channels.Get<ImuLabel>()?.Samples ?? [];
+        foreach (string problem in SampleTimes.Problems("imu", samples.Select(static sample => sample.TimeSeconds), label.TimeSeconds))
+        {
+            yield return problem;
+        }
+
         for (int i = 0; i < samples.Count; i++)
         {
-            bool isLate =
-                i + 1 < samples.Count
-                    ? samples[i].TimeSeconds >= samples[i + 1].TimeSeconds
-                    : samples[i].TimeSeconds > label.TimeSeconds + TimeTolerance;
-            if (isLate)
-            {
-                yield return FormattableString.Invariant($"sample {i} of imu is not before what follows it.");
-            }
-
             if (samples[i].AngularRate.Length > MaxRate || samples[i].SpecificForce.Length > MaxForce)
             {
                 yield return FormattableString.Invariant($"sample {i} of imu is more than a vehicle can do.");

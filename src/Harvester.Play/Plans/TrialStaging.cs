@@ -65,7 +65,10 @@ public sealed class TrialStaging
             () => _json
         );
 
-    /// <summary>Works towards its place; to be called until that is known, or <see cref="Problem"/> says why there is none.</summary>
+    /// <summary>
+    /// Looks for the place of the scenario. It is called in every tick until the place is known or <see cref="Problem"/> says why there is
+    /// none.
+    /// </summary>
     public void FindPlace()
     {
         if (_bound is not null || Problem is not null)

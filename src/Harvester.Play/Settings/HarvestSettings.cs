@@ -128,7 +128,7 @@ public static class HarvestSettings
         return parts.Count > 0 ? GnssNoise.Parse(string.Join(",", parts)) : null;
     }
 
-    /// <summary>The size of bird's-eye maps: the nearest that has whole cells, or the usual one if there is none.</summary>
+    /// <summary>The size of bird's-eye maps: as asked, the nearest with whole cells, or the usual one if that is out of range.</summary>
     private static GridShape BirdsEyeOf(IniFile ini)
     {
         double side = ini.Number(Harvest, "BirdsEyeSize", GridShape.Usual.SideMetres, GridShape.MinSide, GridShape.MaxSide);

@@ -29,7 +29,7 @@ public sealed class ScenarioTown
     /// <summary>A network of more nodes than a town is looked at in regions.</summary>
     private const int TownNodes = 2000;
 
-    /// <summary>The lanes of so many regions are kept.</summary>
+    /// <summary>Number of regions whose lanes are kept in memory.</summary>
     private const int MaxKept = 6;
 
     private readonly List<(Vector2D Near, LaneNetwork Map)> _regions = [];

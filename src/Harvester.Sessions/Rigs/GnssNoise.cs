@@ -1,4 +1,3 @@
-using System.Globalization;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Rigs;
@@ -64,26 +63,7 @@ public sealed record GnssNoise
     /// <summary>The values in a text: a list such as <c>horizontal=1.5,vertical=3</c>, of which those that are missing are 0.</summary>
     /// <param name="text">The text.</param>
     /// <returns>The values with the seed 0; null if the text is no such list.</returns>
-    public static GnssNoise? Parse(string text)
-    {
-        if (text is null)
-        {
-            throw new ArgumentNullException(nameof(text));
-        }
-
-        GnssNoise? noise = new();
-        foreach (string part in text.Split(','))
-        {
-            string[] halves = part.Trim().Split(['='], 2);
-            noise = halves.Length == 2 && Value(halves[1]) is { } value ? With(noise, halves[0], value) : null;
-            if (noise is null)
-            {
-                return null;
-            }
-        }
-
-        return noise;
-    }
+    public static GnssNoise? Parse(string text) => NoiseText.Parse(text, new GnssNoise(), With, static (_, _) => null);
 
     private static GnssNoise? With(GnssNoise noise, string name, double value) =>
         name switch
@@ -95,10 +75,4 @@ public sealed record GnssNoise
             "velocity" when value <= MaxVelocity => noise with { Velocity = value },
             _ => null,
         };
-
-    private static double? Value(string text) =>
-        double.TryParse(text, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double value)
-        && value >= 0
-            ? value
-            : null;
 }

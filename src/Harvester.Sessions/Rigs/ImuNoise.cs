@@ -1,4 +1,3 @@
-using System.Globalization;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Rigs;
@@ -62,29 +61,7 @@ public sealed record ImuNoise
     /// </summary>
     /// <param name="text">The text.</param>
     /// <returns>The values with the seed 0; null if the text is no such list.</returns>
-    public static ImuNoise? Parse(string text)
-    {
-        if (text is null)
-        {
-            throw new ArgumentNullException(nameof(text));
-        }
-
-        ImuNoise? noise = new();
-        foreach (string part in text.Split(','))
-        {
-            string[] halves = part.Trim().Split(['='], 2);
-            noise =
-                halves.Length == 1 ? WithUnit(noise, halves[0])
-                : Value(halves[1]) is { } value ? With(noise, halves[0], value)
-                : null;
-            if (noise is null)
-            {
-                return null;
-            }
-        }
-
-        return noise;
-    }
+    public static ImuNoise? Parse(string text) => NoiseText.Parse(text, new ImuNoise(), With, WithUnit);
 
     /// <summary>The values in imu0/sensor.yaml of the EuRoC datasets (Burri et al., IJRR 2016).</summary>
     private static ImuNoise? WithUnit(ImuNoise noise, string name) =>
@@ -107,10 +84,4 @@ public sealed record ImuNoise
             "accelWalk" when value <= 10 => noise with { AccelerometerWalk = value },
             _ => null,
         };
-
-    private static double? Value(string text) =>
-        double.TryParse(text, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double value)
-        && value >= 0
-            ? value
-            : null;
 }

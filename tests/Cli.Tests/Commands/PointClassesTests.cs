@@ -100,7 +100,7 @@ public sealed class PointClassesTests(HarvestedRig harvested) : IClassFixture<Ha
         byte[] bytes = File.ReadAllBytes(file);
         bytes[3] = 13;
         File.WriteAllBytes(file, bytes);
-        AssertFound("has the category 13, which is none.");
+        AssertFound("has the category 13, which category.json does not have.");
     }
 
     private void Export() => CliRun.Of("export", harvested.Session, "--format", "nuscenes", "--out", _folder.PathOf("out")).AssertDone();

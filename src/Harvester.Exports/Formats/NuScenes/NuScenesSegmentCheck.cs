@@ -53,7 +53,7 @@ internal sealed class NuScenesSegmentCheck(
         int[]? categoriesOf = table == NuScenesSegments.Classes ? ClassesIn(file, (int)count) : CategoriesIn(file, (int)count);
         return categoriesOf is null ? $"its file '{file}' does not have a number for each of the {count} points."
             : Array.FindIndex(categoriesOf, category => !known.Contains(category)) is >= 0 and var at
-                ? $"point {at} of '{file}' has the category {categoriesOf[at]}, which is none."
+                ? $"point {at} of '{file}' has the category {categoriesOf[at]}, which category.json does not have."
             : null;
     }
 

@@ -24,7 +24,7 @@ internal static class NuScenesSegments
     /// <summary>By what a category is multiplied.</summary>
     public const int CategoryFactor = 1000;
 
-    /// <summary>The parts of this name tell that there are such files.</summary>
+    /// <summary>Name of the part that a frame with such files writes, from which the tables know of them.</summary>
     public const string Part = "segments";
 
     private const string PointsExtension = ".pcd.bin";
