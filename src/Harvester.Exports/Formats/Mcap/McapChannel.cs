@@ -49,7 +49,7 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
     /// <summary>The further channel of a file with depth maps.</summary>
     public static McapChannel[] OfDepths { get; } = [Depth];
 
-    /// <summary>The channels that only some files have, in the order of their numbers; a file has them from their first message on.</summary>
+    /// <summary>The channels that only some files have, by number; a file has them from their first message on.</summary>
     public static McapChannel[][] OfSome { get; } = [OfDrives, OfEvents, OfGrids, OfDepths];
 
     /// <summary>All channels of files of a single camera, by number. Those of rigs follow from the rig.</summary>
