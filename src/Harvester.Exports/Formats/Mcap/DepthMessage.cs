@@ -5,7 +5,7 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Exports.Formats.Mcap;
 
-/// <summary>The message of a depth map: metres along the camera's axis as 32FC1, NaN where there is none.</summary>
+/// <summary>The message of a depth map, encoded as 32FC1: metres along the optical axis, NaN where there is no depth.</summary>
 internal static class DepthMessage
 {
     /// <summary>The values of a depth map in a metre.</summary>
