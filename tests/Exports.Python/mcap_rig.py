@@ -55,9 +55,20 @@ def check_points(session, sweep, message):
     assert message.point_stride == 22 and message.frame_id == "lidar/" + sweep["sensor"]
     assert message.pose.orientation.w == 1 and len(packed) == sweep["points"]
     names, formats, offsets = ([item[i] for item in CLOUD] for i in (0, 2, 1))
-    kind = np.dtype({"names": names, "formats": [CLOUD_TYPES[code] for code in formats], "offsets": offsets, "itemsize": 22})
+    kind = np.dtype(
+        {"names": names, "formats": [CLOUD_TYPES[code] for code in formats], "offsets": offsets, "itemsize": 22}
+    )
     cloud = np.frombuffer(message.data, kind)
-    expected = (packed["f1"], -packed["f0"], packed["f2"], packed["f3"], packed["f5"], packed["f6"], packed["f7"], packed["f8"] & 1)
+    expected = (
+        packed["f1"],
+        -packed["f0"],
+        packed["f2"],
+        packed["f3"],
+        packed["f5"],
+        packed["f6"],
+        packed["f7"],
+        packed["f8"] & 1,
+    )
     assert all(np.array_equal(cloud[name], values) for name, values in zip(names, expected))
     return len(cloud)
 
@@ -74,7 +85,9 @@ def check_depth(session, label, message):
 def check_moment(session, rig, labels, at):
     """Compares the messages of a moment with its label lines, one for each view."""
     transforms = {item.child_frame_id: item for message in at["/tf"] for item in message.transforms}
-    names = [f"camera/{camera['name']}" for camera in rig["cameras"]] + [f"lidar/{item['name']}" for item in rig["lidars"]]
+    names = [f"camera/{camera['name']}" for camera in rig["cameras"]] + [
+        f"lidar/{item['name']}" for item in rig["lidars"]
+    ]
     assert sorted(transforms) == sorted([*names, "ego"])
     first, ego = labels[0], labels[0]["ego"]
     right, forward, up = (np.array(ego[axis]) for axis in ("right", "forward", "up"))
