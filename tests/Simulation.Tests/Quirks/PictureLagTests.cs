@@ -67,7 +67,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     {
         var wrong = new List<string>();
         int runs = 0;
-        foreach (int seed in ProofSize.Of([1, 4, 8], [1, 2, 3, 4, 5, 6, 7, 8]))
+        foreach (int seed in ProofSize.Of([4, 8], [1, 2, 3, 4, 5, 6, 7, 8]))
         {
             string weather = seed % 4 == 0 ? "rain" : "clear";
             bool isCameraLate = seed % 2 == 1;
