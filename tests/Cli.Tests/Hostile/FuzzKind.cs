@@ -146,6 +146,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Relabel,
             Export("middlebury-flow")
         ),
+        new("occupancy", "session/occupancy/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("occupancy-instances", "session/occupancy-instances/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("occupancy-visible", "session/occupancy-visible/00000000.png", ValidatePictures, "validate {0}/session"),
         new("birds-eye", "session/birds-eye/00000000.png", ValidatePictures, "validate {0}/session", Relabel, Export("mcap")),
         new("birds-eye-visible", "session/birds-eye-visible/00000000.png", ValidatePictures, "validate {0}/session", Export("mcap")),
         new(

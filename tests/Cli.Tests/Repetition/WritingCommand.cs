@@ -66,7 +66,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static IReadOnlyList<string> Inputs { get; } =
     [
         $"harvest --out {{inputs}}/session --frames 2 {Small}",
-        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu --gnss --birds-eye {Small}",
+        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu --gnss --birds-eye --occupancy {Small}",
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
