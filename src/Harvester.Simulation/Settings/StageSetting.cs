@@ -20,8 +20,8 @@ public sealed record StageSetting(Vector3D Ground, double HeadingDegrees, double
     public IReadOnlyList<(Vector3D Middle, double Radius)> ClearOfParked { get; init; } = [];
 
     /// <summary>
-    /// The seconds after the beginning in which the lights at the end of the ego's first lane are green; null to begin at any time. If they
-    /// never are for so long, they are green at the end of that time.
+    /// The seconds after the beginning in which the last lights are green that the ego comes to until then; those before are so for as long
+    /// before it comes to them. Null to begin at any time. If they never are for so long, they are green at the end of that time.
     /// </summary>
     public (double From, double To)? Green { get; init; }
 

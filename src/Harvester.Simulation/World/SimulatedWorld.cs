@@ -154,7 +154,7 @@ internal sealed class SimulatedWorld
         SetRain(Weather.LightingOf(options.Weather, options.DayOfYear, options.TimeOfDay).RainFraction);
         if (options.Stage is { } stage)
         {
-            TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo.Path, control, TimeSeconds);
+            TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo, control, TimeSeconds);
             Stage = new WorldStage(stage, catalogue, handles, new StagedGround(site.Lanes, site.Terrain.HeightAt), _traffic, _walking);
             Stage.Enter(_vehicles, _people, () => Advance(MaxTick));
         }

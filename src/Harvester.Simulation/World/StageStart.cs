@@ -17,6 +17,9 @@ internal static class StageStart
     private const double LightStep = 0.25;
     private const double LongestWait = 60;
 
+    /// <summary>Lights stay green for so long after the ego has come to them, seconds.</summary>
+    private const double GreenAfter = 1;
+
     /// <summary>
     /// Lanes lead along a way if their middles and ends are at most this far beside it, metres: the town's ways through junctions and those
     /// of the map are other curves between the same ends.
@@ -77,20 +80,25 @@ internal static class StageStart
         }
     }
 
-    /// <summary>Seconds to let pass until the lights before the ego are green when it is to come to them.</summary>
-    public static double SecondsToGreen(StageSetting setting, LanePath lane, LaneControl control, double timeSeconds)
+    /// <summary>Seconds to let pass until the lights on the ego's way are green when it is to come to them.</summary>
+    public static double SecondsToGreen(
+        StageSetting setting,
+        (LanePath Path, double Distance) start,
+        LaneControl control,
+        double timeSeconds
+    )
     {
-        if (setting.Green is not { } green || lane.Road is null || lane.Next.Count == 0)
+        if (setting.Green is not { } green)
         {
             return 0;
         }
 
-        Junction junction = lane.Next[0].Junction!;
-        for (double from = green.From; from < green.To; from += LightStep)
+        (LanePath Lane, double From, double To)[] lights = [.. LightsOnWay(setting, green, start)];
+        for (double later = 0; green.From + later < green.To; later += LightStep)
         {
             for (double wait = 0; wait < LongestWait; wait += LightStep)
             {
-                if (IsGreen(wait, from))
+                if (Array.TrueForAll(lights, light => IsGreen(light.Lane, wait, Math.Min(light.From + later, light.To), light.To)))
                 {
                     return wait;
                 }
@@ -99,17 +107,43 @@ internal static class StageStart
 
         return 0;
 
-        bool IsGreen(double wait, double from)
+        bool IsGreen(LanePath lane, double wait, double from, double to)
         {
-            for (double at = from; at <= green.To; at += LightStep)
+            for (double at = from; at <= to; at += LightStep)
             {
-                if (control.LightFor(lane, junction, timeSeconds + wait + at) is SignalState.Amber or SignalState.Red)
+                if (control.LightFor(lane, lane.Next[0].Junction!, timeSeconds + wait + at) is SignalState.Amber or SignalState.Red)
                 {
                     return false;
                 }
             }
 
             return true;
+        }
+    }
+
+    /// <summary>
+    /// The lanes on the ego's way that may end at lights, up to where it is when the lights need no longer be green, and when each must be:
+    /// so long before and after the ego comes to the lane's end as before and after it comes to the last.
+    /// </summary>
+    private static IEnumerable<(LanePath Lane, double From, double To)> LightsOnWay(
+        StageSetting setting,
+        (double From, double To) green,
+        (LanePath Path, double Distance) start
+    )
+    {
+        (LanePath path, double distance) = start;
+        double length = path.Length - distance;
+        while (path.Next.Count > 0 && length < setting.Speed * green.To)
+        {
+            if (path.Road is not null)
+            {
+                double arrival = length / setting.Speed;
+                double earlier = green.To - GreenAfter - arrival;
+                yield return (path, Math.Max(0, green.From - earlier), arrival + GreenAfter);
+            }
+
+            path = Along(setting.Way, path.Next);
+            length += path.Length;
         }
     }
 
