@@ -1,4 +1,3 @@
-using System.Threading.Tasks;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Grids;

@@ -6,7 +6,6 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Grids;
 using Harvester.Geometry.Visibility;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Game;
