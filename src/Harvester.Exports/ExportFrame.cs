@@ -132,6 +132,13 @@ public sealed class ExportFrame
     /// <summary>Path of the depths of all pixels, or of those that rays measured if it has no others; null without a depth map.</summary>
     internal string? DepthPath => Label.Depth is { } depth ? PathOf(depth.Completed ?? depth.Sparse) : null;
 
+    /// <summary>
+    /// Reads the depths of all pixels, or those that rays measured if it has no others, 1/256 m; null without a depth map.
+    /// </summary>
+    /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size than the image.</exception>
+    internal InstanceMap? ReadDepth() =>
+        Label.Depth is { } depth ? ReadMap(depth.Completed ?? depth.Sparse, "depth map", PngDecoder.ReadInstanceMap) : null;
+
     /// <summary>Path of the class map; null without one.</summary>
     public string? ClassMapPath => Label.ClassMap is { } map ? PathOf(map.File) : null;
 

@@ -19,6 +19,7 @@ import flow
 import imagefolder
 import mcap
 import mcap_drive
+import mcap_rig
 import motchallenge
 import nuscenes
 import nuscenes_detection
@@ -430,6 +431,7 @@ if __name__ == "__main__":
             os.path.join(root, "mcap", "train", "0000.mcap"),
         )
     )
+    print(mcap_rig.read(os.path.join(root, "rig"), os.path.join(root, "rig-mcap")))
     print(radar.read(os.path.join(root, "radar"), os.path.join(root, "radar-nuscenes")))
     print(euroc.read(os.path.join(root, "flowing"), os.path.join(root, "euroc")))
     print(flow.read(root, os.path.join(root, "KittiFlow"), os.path.join(root, "middlebury-flow")))

@@ -249,6 +249,7 @@ public static class DatasetFormats
         },
         new("mcap", "MCAP recordings with Foxglove's messages: a file for each place", _ => new McapWriter())
         {
+            HasPoints = true,
             UsesMasks = true,
             HasBoxes = true,
             HasBoxesBeyondImage = true,

@@ -15,6 +15,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("pcd", "clouds/top/00000006.pcd")]
     [InlineData("ply", "clouds/top/00000006.ply")]
     [InlineData("nuscenes", "can_bus/scene-2002_pose.json")]
+    [InlineData("mcap", "train/0002.mcap")]
     public void Export_of_a_rig_is_valid(string format, string file)
     {
         Export(format);
@@ -28,6 +29,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("pcd")]
     [InlineData("ply")]
     [InlineData("nuscenes")]
+    [InlineData("mcap")]
     public void Empty_file_of_points_is_refused(string format)
     {
         string session = _folder.PathOf("session");
@@ -53,6 +55,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("pcd", "clouds/top/00000006.pcd", 1, "bytes, as its")]
     [InlineData("ply", "clouds.csv", 5, "its pose is no position and unit quaternion.")]
     [InlineData("nuscenes", "can_bus/scene-2002_pose.json", 3, "it is cut off.")]
+    [InlineData("mcap", "train/0002.mcap", 9, "it is cut off.")]
     public void Cut_off_file_of_an_export_is_found(string format, string file, int bytes, string problem)
     {
         Export(format);
@@ -69,6 +72,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("kitti-odometry", "sequences/00/calib.txt", "Tr is missing.", "Tr: ", "Ts: ")]
     [InlineData("pcd", "clouds.csv", "it has the unknown split 'test'.", ",train,", ",test,")]
     [InlineData("pcd", "clouds/top/00000006.pcd", "its header is not that of", "0.7", "0.6")]
+    [InlineData("mcap", "train/0000.mcap", "checksum", "/camera/left/image", "/camera/left/imagE")]
     [InlineData("nuscenes", "can_bus/scene-2001_pose.json", "its utime is not after that", "\"utime\":1", "\"utime\":-1")]
     public void Changed_file_of_an_export_is_found(string format, string file, string problem, string before, string after)
     {
@@ -144,9 +148,50 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [Fact]
     public void Format_without_points_says_so()
     {
-        CliRun run = CliRun.Of("export", harvested.Session, "--format", "mcap", "--out", _folder.PathOf("out"));
+        CliRun run = CliRun.Of("export", harvested.Session, "--format", "openlabel", "--out", _folder.PathOf("out"));
 
-        Assert.Contains("mcap does not have the points of the LiDAR", run.Out, StringComparison.Ordinal);
+        Assert.Contains("openlabel does not have the points of the LiDAR", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Recording_has_the_channels_of_all_sensors()
+    {
+        Export("mcap");
+
+        string recording = File.ReadAllText(_folder.PathOf("out/train/0000.mcap"), System.Text.Encoding.Latin1);
+        string[] topics =
+        [
+            "/camera/left/image",
+            "/camera/left/depth",
+            "/camera/right/image",
+            "/camera/right/calibration",
+            "/camera/right/annotations",
+            "/camera/right/depth",
+            "/lidar/top",
+            "/tf",
+            "/objects",
+        ];
+        Assert.All(topics, topic => Assert.Contains(topic, recording, StringComparison.Ordinal));
+        Assert.DoesNotContain("/camera/image", recording, StringComparison.Ordinal);
+        Assert.Equal(2, Directory.EnumerateFiles(_folder.PathOf("out/train")).Count());
+    }
+
+    [Fact]
+    public void Shards_of_a_rig_give_the_recording_of_the_whole()
+    {
+        Export("mcap");
+        string[] shards = [_folder.PathOf("first"), _folder.PathOf("second")];
+        for (int i = 0; i < shards.Length; i++)
+        {
+            CliRun.Of("export", harvested.Session, "--format", "mcap", "--out", shards[i], "--shard", $"{i + 1}/2").AssertDone();
+        }
+
+        CliRun.Of("merge", shards[0], shards[1], "--out", _folder.PathOf("merged")).AssertDone();
+
+        foreach (string file in new[] { "train/0000.mcap", "train/0002.mcap" })
+        {
+            Assert.Equal(File.ReadAllBytes(_folder.PathOf("out/" + file)), File.ReadAllBytes(_folder.PathOf("merged/" + file)));
+        }
     }
 
     [Fact]

@@ -14,7 +14,7 @@ namespace Harvester.Cli.Tests.Hostile;
 public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper output) : IClassFixture<FuzzReaderCorpus>
 {
     private const int Cases = 3_000;
-    private const int CasesInCi = 200;
+    private const int CasesInCi = 140;
     private const int DefaultSeed = 20260101;
 
     public static TheoryData<string> Kinds => FuzzKind.Names;

@@ -119,6 +119,15 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/scenario.json"],
             IsKilled = true,
         },
+        new(
+            "scenario-run-change",
+            "scenario run {inputs}/scenario.json --out {root}/out --change frame_0:_weather_rain --near=0,-50 --hz 1 --size 64x48 "
+                + "--no-report --roads {inputs}/roads.csv"
+        )
+        {
+            Only = ["out/.", "out/counterfactuals.json"],
+            IsKilled = true,
+        },
         new("scenario-export", "scenario export {inputs}/scenario.json --out {root}/scenario.xosc"),
         new("scenario-import", "scenario import {inputs}/scenario.xosc --out {root}/scenario.json"),
         new("rebuild", "rebuild {inputs}/recipe.json --out {root}/out --input in={inputs}/session")

@@ -1,4 +1,5 @@
 using Harvester.Datasets.Validation;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Repair;
 
@@ -33,7 +34,7 @@ public sealed class BitFlipTests(DamagedSession session) : IClassFixture<Damaged
     [Theory]
     [MemberData(nameof(Names))]
     [Trait("Category", "Heavy")]
-    public void Validate_notices_each_of_200_flipped_bits(string name) => CheckNoticed(name, 200, isQuick: false);
+    public void Validate_notices_every_flipped_bit(string name) => CheckNoticed(name, ProofSize.Of(inCi: 50, full: 200), isQuick: false);
 
     [Theory]
     [InlineData("frames/00000001.png")]

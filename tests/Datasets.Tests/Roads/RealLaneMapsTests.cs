@@ -13,7 +13,7 @@ namespace Harvester.Datasets.Tests.Roads;
 public sealed class RealLaneMapsTests(ITestOutputHelper output)
 {
     /// <summary>One lane in this many is tried.</summary>
-    private const int Stride = 97;
+    private static readonly int Stride = ProofSize.Of(inCi: 487, full: 97);
 
     [RealWorldFact("nodes.zip")]
     public void Map_around_a_place_is_that_of_the_whole_game()

@@ -51,11 +51,11 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
         Assert.InRange(Judge(road, frames: 8, everySeconds: 3), 150, int.MaxValue);
     }
 
+    public static TheoryData<int> Towns => [.. ProofSize.Of([15], [3, 15, 17])];
+
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(3)]
-    [InlineData(15)]
-    [InlineData(17)]
+    [MemberData(nameof(Towns))]
     public void Labelled_markings_lie_on_the_paint_all_over_generated_towns(int seed) =>
         Assert.InRange(
             Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7),

@@ -9,6 +9,7 @@ using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 using Harvester.Simulation.Tests.Labelling;
 using Harvester.Simulation.Tests.Rendering;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.People;
@@ -44,9 +45,10 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     /// <summary>Of the joints of a person, one in this many gets a marker.</summary>
     private const int Every = 4;
 
+    public static TheoryData<int> Seeds => [.. ProofSize.Of([OtherSeed], [DevelopmentSeed, OtherSeed])];
+
     [Theory]
-    [InlineData(DevelopmentSeed)]
-    [InlineData(OtherSeed)]
+    [MemberData(nameof(Seeds))]
     public void Joints_are_where_markers_are_drawn(int seed)
     {
         int compared = 0;
@@ -161,8 +163,7 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(DevelopmentSeed)]
-    [InlineData(OtherSeed)]
+    [MemberData(nameof(Seeds))]
     public void Box_of_joints_is_that_of_the_silhouette(int seed)
     {
         List<double> joints = [];

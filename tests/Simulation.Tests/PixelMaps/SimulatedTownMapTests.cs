@@ -5,6 +5,7 @@ using Harvester.Geometry.Tests.Scenes;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.PixelMaps;
@@ -16,10 +17,11 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
 {
     private const double RangeMetres = 150;
 
+    public static TheoryData<int> FirstSeeds => [.. ProofSize.Of([100], [0, 100])];
+
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(0)]
-    [InlineData(100)]
+    [MemberData(nameof(FirstSeeds))]
     public void Run_simulated_town_agrees_with_the_exhaustive_maps(int firstSeed)
     {
         const int width = 800;

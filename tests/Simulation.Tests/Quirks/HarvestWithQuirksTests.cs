@@ -5,6 +5,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
@@ -17,12 +18,11 @@ public sealed class HarvestWithQuirksTests
     [Trait("Category", "Heavy")]
     public void Step_with_all_quirks_keeps_only_frames_that_match_labels() => Harvest(lag: 3, frames: 40);
 
+    public static TheoryData<int> Lags => [.. ProofSize.Of([0, 3], [0, 1, 2, 3])];
+
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(0)]
-    [InlineData(1)]
-    [InlineData(2)]
-    [InlineData(3)]
+    [MemberData(nameof(Lags))]
     public void Step_for_long_with_all_quirks_keeps_only_matching_frames(int lag) => Harvest(lag, frames: 400);
 
     [Fact]

@@ -11,18 +11,19 @@ using Shape = Foxglove.PointsAnnotation.Types.Type;
 namespace Harvester.Exports.Formats.Mcap;
 
 /// <summary>
-/// The messages of a moment. Frames of reference: world (x east, y north, z up), ego (x forward, y left, z up) and camera (x right, y down,
-/// z forward), metres.
+/// The messages of a frame. Frames of reference: world (x east, y north, z up), ego and LiDARs (x forward, y left, z up) and cameras (x
+/// right, y down, z forward), metres.
 /// </summary>
 /// <param name="label">The label.</param>
 /// <param name="nanoseconds">The moment, nanoseconds.</param>
-internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
+/// <param name="camera">Name of the frame of reference of the camera.</param>
+/// <param name="isFirst">Whether it is the first view of the moment.</param>
+internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds, string camera, bool isFirst)
 {
     /// <summary>Name of the frame of reference of the car.</summary>
     public const string Ego = "ego";
 
     private const string World = "world";
-    private const string CameraFrame = "camera";
     private const double LineThicknessPixels = 2;
     private const double PointThicknessPixels = 4;
     private const double FontPixels = 12;
@@ -41,7 +42,7 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
         new CompressedImage
         {
             Timestamp = _time,
-            FrameId = CameraFrame,
+            FrameId = camera,
             Data = UnsafeByteOperations.UnsafeWrap(bytes),
             Format = format,
         }.ToByteArray();
@@ -49,36 +50,41 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     /// <summary>CameraCalibration; k1 and k2 are the first two of plumb_bob's five coefficients.</summary>
     public byte[] Calibration()
     {
-        CameraLabel camera = label.Camera;
+        CameraLabel view = label.Camera;
         return new CameraCalibration
         {
             Timestamp = _time,
-            FrameId = CameraFrame,
-            Width = checked((uint)camera.Width),
-            Height = checked((uint)camera.Height),
+            FrameId = camera,
+            Width = checked((uint)view.Width),
+            Height = checked((uint)view.Height),
             DistortionModel = "plumb_bob",
-            D = { camera.Distortion.K1, camera.Distortion.K2, 0, 0, 0 },
-            K = { camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1 },
+            D = { view.Distortion.K1, view.Distortion.K2, 0, 0, 0 },
+            K = { view.Fx, 0, view.Cx, 0, view.Fy, view.Cy, 0, 0, 1 },
             R = { 1, 0, 0, 0, 1, 0, 0, 0, 1 },
-            P = { camera.Fx, 0, camera.Cx, 0, 0, camera.Fy, camera.Cy, 0, 0, 0, 1, 0 },
+            P = { view.Fx, 0, view.Cx, 0, 0, view.Fy, view.Cy, 0, 0, 0, 1, 0 },
         }.ToByteArray();
     }
 
-    /// <summary>FrameTransforms: the ego and the camera in the world.</summary>
-    public byte[] Transforms()
+    /// <summary>FrameTransforms: the camera, and with the first view the ego and the LiDARs, in the world.</summary>
+    /// <param name="lidars">Names of the frames of the LiDARs, and their poses.</param>
+    public byte[] Transforms(IEnumerable<(string Frame, Geometry.Pose Pose)> lidars)
     {
         Axes ego = label.Ego.Axes ?? Axes.FromHeading(label.Ego.HeadingDegrees);
+        FrameTransform own = Transform(camera, label.Camera.Pose.Position, Rotation.OfCamera(label.Camera.Pose.Axes));
         return new FrameTransforms
         {
             Transforms =
             {
-                Transform(Ego, label.Ego.Position, Rotation.OfBody(ego)),
-                Transform(CameraFrame, label.Camera.Pose.Position, Rotation.OfCamera(label.Camera.Pose.Axes)),
+                isFirst ? [Transform(Ego, label.Ego.Position, Rotation.OfBody(ego)), own] : [own],
+                lidars.Select(lidar => Transform(lidar.Frame, lidar.Pose.Position, Rotation.OfBody(lidar.Pose.Axes))),
             },
         }.ToByteArray();
     }
 
-    /// <summary>SceneUpdate: a cuboid for each object, in place of those of the moment before.</summary>
+    /// <summary>
+    /// SceneUpdate: a cuboid for each object. The first view's stand in place of those of the moment before; other views add theirs, and
+    /// an object that two of them see has one id and so one cuboid.
+    /// </summary>
     public byte[] Objects(IReadOnlyList<ExportObject> objects) => Scene(objects.Select(Entity));
 
     /// <summary>SceneUpdate: a line for each lane line in the image.</summary>
@@ -109,7 +115,9 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
         {
             Deletions =
             {
-                new SceneEntityDeletion { Timestamp = _time, Type = SceneEntityDeletion.Types.Type.All },
+                isFirst
+                    ? [new SceneEntityDeletion { Timestamp = _time, Type = SceneEntityDeletion.Types.Type.All }]
+                    : Array.Empty<SceneEntityDeletion>(),
             },
             Entities = { entities },
         }.ToByteArray();
@@ -140,7 +148,7 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
         {
             Timestamp = _time,
             FrameId = World,
-            Id = $"{index}",
+            Id = label.View is { } view ? $"{view}/{index}" : $"{index}",
             Metadata = { Facts(line) },
             Lines =
             {

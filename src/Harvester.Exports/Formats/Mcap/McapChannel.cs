@@ -32,7 +32,9 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel BirdsEye { get; } = new(13, "/birds_eye", "foxglove.Grid");
 
-    /// <summary>The channels of every file, by number.</summary>
+    public static McapChannel Depth { get; } = new(14, "/camera/depth", "foxglove.RawImage");
+
+    /// <summary>The channels of every file of a single camera, by number.</summary>
     public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
 
     /// <summary>The further channels of a file with a recorded drive, by number.</summary>
@@ -44,6 +46,12 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
     /// <summary>The further channels of a file with bird's-eye maps.</summary>
     public static McapChannel[] OfGrids { get; } = [BirdsEye];
 
-    /// <summary>All channels, by number.</summary>
-    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives, .. OfEvents, .. OfGrids];
+    /// <summary>The further channel of a file with depth maps.</summary>
+    public static McapChannel[] OfDepths { get; } = [Depth];
+
+    /// <summary>The channels that only some files have, by number; a file has them from their first message on.</summary>
+    public static McapChannel[][] OfSome { get; } = [OfDrives, OfEvents, OfGrids, OfDepths];
+
+    /// <summary>All channels of files of a single camera, by number. Those of rigs follow from the rig.</summary>
+    public static McapChannel[] All { get; } = [.. OfSessions, .. OfSome.SelectMany(some => some)];
 }

@@ -9,6 +9,15 @@ internal static class McapChunk
     private const int MessageHeadBytes = McapRecord.HeadLength + sizeof(ushort) + sizeof(uint) + (2 * sizeof(ulong));
     private const int ChunkHeadBytes = McapRecord.HeadLength + (4 * sizeof(ulong)) + (2 * sizeof(uint));
 
+    /// <summary>Writes the channels of messages, for a file whose channels are not known without them, before their chunk.</summary>
+    public static void WriteChannels(Stream target, IReadOnlyList<McapMessage> messages)
+    {
+        foreach (McapChannel channel in messages.Select(message => message.Channel).Distinct().OrderBy(channel => channel.Id))
+        {
+            target.Write(McapDefinitions.ChannelRecord(channel));
+        }
+    }
+
     /// <summary>Writes the records of a moment, as they stand in the file.</summary>
     /// <param name="target">Where to.</param>
     /// <param name="nanoseconds">The moment, nanoseconds; it must not be negative.</param>

@@ -1,53 +1,46 @@
 namespace Harvester.Exports.Formats.Mcap;
 
-/// <summary>The records that define channels and their schemas.</summary>
-/// <param name="Channels">The channels.</param>
-/// <param name="Schemas">Full names of the schemas.</param>
-internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IReadOnlyList<string> Schemas)
+/// <summary>The records that define channels and their schemas (mcap.dev/spec, "Schema" and "Channel").</summary>
+internal static class McapDefinitions
 {
-    /// <summary>Those of every file.</summary>
-    public static McapDefinitions OfSessions { get; } = new(McapChannel.OfSessions, NamesOf(McapChannel.OfSessions));
+    private const string Encoding = "protobuf";
+    private const int SchemaAt = McapRecord.HeadLength + sizeof(ushort);
+    private const int TopicAt = SchemaAt + sizeof(ushort);
 
-    /// <summary>Those that a recorded drive adds.</summary>
-    public static McapDefinitions OfDrives { get; } =
-        new(McapChannel.OfDrives, [.. NamesOf(McapChannel.OfDrives).Except(OfSessions.Schemas)]);
+    /// <summary>The record of a schema.</summary>
+    /// <param name="name">Full name of the message.</param>
+    public static byte[] SchemaRecord(string name)
+    {
+        using var schema = new McapRecord(McapOpcode.Schema);
+        byte[] descriptors = MessageSchemas.DescriptorsOf(name);
+        return schema.UInt16(NumberOf(name)).Text(name).Text(Encoding).UInt32(descriptors.Length).Bytes(descriptors).ToArray();
+    }
 
-    /// <summary>Those that events add.</summary>
-    public static McapDefinitions OfEvents { get; } = new(McapChannel.OfEvents, NamesOf(McapChannel.OfEvents));
+    /// <summary>The record of a channel.</summary>
+    public static byte[] ChannelRecord(McapChannel channel)
+    {
+        using var record = new McapRecord(McapOpcode.Channel);
+        return record.UInt16(channel.Id).UInt16(NumberOf(channel.Schema)).Text(channel.Topic).Text(Encoding).UInt32(0).ToArray();
+    }
 
-    /// <summary>Those that bird's-eye maps add.</summary>
-    public static McapDefinitions OfGrids { get; } = new(McapChannel.OfGrids, NamesOf(McapChannel.OfGrids));
+    /// <summary>The channel of a record that <see cref="ChannelRecord"/> made.</summary>
+    /// <param name="records">Bytes that contain the record.</param>
+    /// <param name="at">Where it begins.</param>
+    /// <exception cref="ArgumentException">It is damaged.</exception>
+    public static McapChannel ChannelAt(byte[] records, int at)
+    {
+        int number = BitConverter.ToUInt16(records, at + SchemaAt);
+        string topic = Utf8(records, at + TopicAt);
+        return number > 0 && number <= MessageSchemas.Names.Count
+            ? new McapChannel(BitConverter.ToUInt16(records, at + McapRecord.HeadLength), topic, MessageSchemas.Names[number - 1])
+            : throw new ArgumentException("There is no such schema.", nameof(records));
+    }
 
-    /// <summary>Those that only some files have, in the order of their numbers; a file has them from their first message on.</summary>
-    public static IReadOnlyList<McapDefinitions> OfSome { get; } = [OfDrives, OfEvents, OfGrids];
+    /// <summary>The number of a schema in every file, from 1.</summary>
+    public static int NumberOf(string schema) => MessageSchemas.Names.TakeWhile(name => name != schema).Count() + 1;
 
-    /// <summary>Whether a channel, by its number, is one of these.</summary>
-    public bool Has(int id) => Channels.Any(channel => channel.Id == id);
-
-    /// <summary>These and others.</summary>
-    public McapDefinitions With(McapDefinitions others) => new([.. Channels, .. others.Channels], [.. Schemas, .. others.Schemas]);
-
-    public byte[] SchemaRecords() =>
-        [
-            .. Schemas.SelectMany(name =>
-            {
-                using var schema = new McapRecord(McapOpcode.Schema);
-                byte[] descriptors = MessageSchemas.DescriptorsOf(name);
-                return schema.UInt16(NumberOf(name)).Text(name).Text("protobuf").UInt32(descriptors.Length).Bytes(descriptors).ToArray();
-            }),
-        ];
-
-    public byte[] ChannelRecords() =>
-        [
-            .. Channels.SelectMany(channel =>
-            {
-                using var record = new McapRecord(McapOpcode.Channel);
-                return record.UInt16(channel.Id).UInt16(NumberOf(channel.Schema)).Text(channel.Topic).Text("protobuf").UInt32(0).ToArray();
-            }),
-        ];
-
-    private static string[] NamesOf(IEnumerable<McapChannel> channels) =>
-        [.. channels.Select(channel => channel.Schema).Distinct(StringComparer.Ordinal)];
-
-    private static int NumberOf(string schema) => MessageSchemas.Names.TakeWhile(name => name != schema).Count() + 1;
+    /// <summary>A text in a record.</summary>
+    /// <exception cref="ArgumentException">It is cut off.</exception>
+    public static string Utf8(byte[] bytes, int at) =>
+        System.Text.Encoding.UTF8.GetString(bytes, at + sizeof(uint), BitConverter.ToInt32(bytes, at));
 }

@@ -16,7 +16,8 @@ internal sealed class McapFile
     private readonly List<ChunkEntry> _chunks = [];
     private long _position;
     private uint _crc;
-    private readonly HashSet<McapDefinitions> _defined = [];
+    private readonly SortedSet<int> _schemas = [];
+    private readonly SortedDictionary<int, McapChannel> _channels = [];
 
     private McapFile(Stream stream) => _stream = stream;
 
@@ -25,28 +26,29 @@ internal sealed class McapFile
 
     /// <summary>Writes a file.</summary>
     /// <param name="stream">Where to.</param>
-    /// <param name="chunks">The chunks with their indexes, from <see cref="McapChunk"/>, by rising time.</param>
+    /// <param name="chunks">
+    /// The chunks with their indexes, from <see cref="McapChunk"/>, by rising time; of a rig, after the channels of their messages.
+    /// </param>
+    /// <exception cref="DatasetFormatException">A chunk is damaged.</exception>
     public static void Write(Stream stream, IEnumerable<byte[]> chunks)
     {
         var file = new McapFile(stream);
         file.Append(Magic.ToArray());
         file.Append(Header());
-        file.Define(McapDefinitions.OfSessions);
-        foreach (byte[] chunk in chunks)
+        foreach (byte[] staged in chunks)
         {
-            ChunkEntry entry = ChunkEntry.Of(chunk, file._position);
+            McapChannel[] listed = [.. ChannelsBefore(staged)];
+            byte[] chunk = staged[listed.Sum(channel => McapDefinitions.ChannelRecord(channel).Length)..];
+            file.Define(listed.Length > 0 ? listed : McapChannel.OfSessions);
+            IReadOnlyList<int> used = ChunkEntry.Of(chunk, file._position).Messages;
 
             // The channels that only some files have are defined where they are first used, because only the chunks tell of them.
-            foreach (McapDefinitions some in McapDefinitions.OfSome.Where(some => entry.Messages.Any(some.Has)))
+            foreach (McapChannel[] some in McapChannel.OfSome.Where(some => some.Any(channel => used.Contains(channel.Id))))
             {
-                if (file._defined.Add(some))
-                {
-                    file.Define(some);
-                    entry = ChunkEntry.Of(chunk, file._position);
-                }
+                file.Define(some);
             }
 
-            file._chunks.Add(entry);
+            file._chunks.Add(ChunkEntry.Of(chunk, file._position));
             file.Append(chunk);
         }
 
@@ -65,11 +67,40 @@ internal sealed class McapFile
         return header.Text("").Text(Library).ToArray();
     }
 
-    /// <summary>Defines schemas, then channels.</summary>
-    private void Define(McapDefinitions definitions)
+    /// <summary>The channels that stand before a chunk.</summary>
+    private static IEnumerable<McapChannel> ChannelsBefore(byte[] staged)
     {
-        Append(definitions.SchemaRecords());
-        Append(definitions.ChannelRecords());
+        for (int at = 0; at < staged.Length && staged[at] == (byte)McapOpcode.Channel; at += ChunkEntry.LengthAt(staged, at))
+        {
+            yield return ChannelAt(staged, at);
+        }
+    }
+
+    private static McapChannel ChannelAt(byte[] staged, int at)
+    {
+        try
+        {
+            return McapDefinitions.ChannelAt(staged, at);
+        }
+        catch (ArgumentException e)
+        {
+            throw ChunkEntry.Damaged(e);
+        }
+    }
+
+    /// <summary>Defines the schemas, then the channels that are not defined yet.</summary>
+    private void Define(IReadOnlyList<McapChannel> channels)
+    {
+        McapChannel[] more = [.. channels.Where(channel => _channels.TryAdd(channel.Id, channel))];
+        foreach (string schema in more.Select(channel => channel.Schema).Where(name => _schemas.Add(McapDefinitions.NumberOf(name))))
+        {
+            Append(McapDefinitions.SchemaRecord(schema));
+        }
+
+        foreach (McapChannel channel in more)
+        {
+            Append(McapDefinitions.ChannelRecord(channel));
+        }
     }
 
     /// <summary>Groups of records of one kind, the places of the groups, and the footer, which ends with the checksum of it all.</summary>
@@ -77,14 +108,11 @@ internal sealed class McapFile
     {
         long start = _position;
         _crc = 0;
-        McapDefinitions definitions = McapDefinitions
-            .OfSome.Where(_defined.Contains)
-            .Aggregate(McapDefinitions.OfSessions, static (all, some) => all.With(some));
         (McapOpcode Kind, long Start, long Length)[] groups =
         [
-            Group(McapOpcode.Schema, [definitions.SchemaRecords()]),
-            Group(McapOpcode.Channel, [definitions.ChannelRecords()]),
-            Group(McapOpcode.Statistics, [Statistics(definitions)]),
+            Group(McapOpcode.Schema, _schemas.Select(number => McapDefinitions.SchemaRecord(MessageSchemas.Names[number - 1]))),
+            Group(McapOpcode.Channel, _channels.Values.Select(McapDefinitions.ChannelRecord)),
+            Group(McapOpcode.Statistics, [Statistics()]),
             Group(McapOpcode.ChunkIndex, _chunks.Select(chunk => chunk.Index())),
         ];
         long offsets = _position;
@@ -112,7 +140,7 @@ internal sealed class McapFile
         return (kind, start, _position - start);
     }
 
-    private byte[] Statistics(McapDefinitions definitions)
+    private byte[] Statistics()
     {
         using var statistics = new McapRecord(McapOpcode.Statistics);
         (int Channel, long Count)[] counts =
@@ -125,8 +153,8 @@ internal sealed class McapFile
         ];
         return statistics
             .UInt64(counts.Sum(count => count.Count))
-            .UInt16(definitions.Schemas.Count)
-            .UInt32(definitions.Channels.Count)
+            .UInt16(_schemas.Count)
+            .UInt32(_channels.Count)
             .UInt32(0)
             .UInt32(0)
             .UInt32(_chunks.Count)
@@ -189,9 +217,12 @@ internal sealed class McapFile
             }
             catch (ArgumentException e)
             {
-                throw new DatasetFormatException("A staged file of the export is damaged. Delete the folder and export again.", e);
+                throw Damaged(e);
             }
         }
+
+        public static DatasetFormatException Damaged(Exception cause) =>
+            new("A staged file of the export is damaged. Delete the folder and export again.", cause);
 
         public byte[] Index()
         {
@@ -209,7 +240,9 @@ internal sealed class McapFile
                 .ToArray();
         }
 
-        private static int LengthAt(byte[] records, int at)
+        /// <summary>The bytes of a record.</summary>
+        /// <exception cref="ArgumentException">It is cut off.</exception>
+        public static int LengthAt(byte[] records, int at)
         {
             int length = checked(McapRecord.HeadLength + (int)BitConverter.ToUInt64(records, at + 1));
             return length <= records.Length - at ? length : throw new ArgumentException("The record is cut off.", nameof(records));

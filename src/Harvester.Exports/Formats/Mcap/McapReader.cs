@@ -15,6 +15,8 @@ internal sealed class McapReader(Stream file)
     private readonly Dictionary<long, int> _chunks = [];
     private readonly Dictionary<long, int> _indexes = [];
     private readonly Dictionary<int, long> _messages = [];
+    private readonly Dictionary<int, string> _schemas = [];
+    private readonly Dictionary<int, McapChannel> _channels = [];
     private byte[]? _chunk;
     private uint _crc;
     private long _summaryStart = -1;
@@ -36,7 +38,7 @@ internal sealed class McapReader(Stream file)
         Magic();
         return file.ReadByte() != -1 ? throw new DatasetFormatException("something follows its end.")
             : _indexedChunks != _chunks.Count ? throw new DatasetFormatException("its summary does not list every chunk once.")
-            : checked((int)_messages.GetValueOrDefault(McapChannel.Image.Id));
+            : checked((int)_channels.Values.Where(IsOfImages).Sum(channel => _messages.GetValueOrDefault(channel.Id)));
     }
 
     private void Magic()
@@ -93,7 +95,13 @@ internal sealed class McapReader(Stream file)
                     Expect(BitConverter.ToInt64(content) == _summaryStart, "its footer does not name the start of the summary.");
                     _isEnded = true;
                     break;
-                case McapOpcode.Header or McapOpcode.Schema or McapOpcode.Channel or McapOpcode.Statistics or McapOpcode.SummaryOffset:
+                case McapOpcode.Schema:
+                    _schemas[BitConverter.ToUInt16(content)] = McapDefinitions.Utf8(content, sizeof(ushort));
+                    break;
+                case McapOpcode.Channel:
+                    Channel(content);
+                    break;
+                case McapOpcode.Header or McapOpcode.Statistics or McapOpcode.SummaryOffset:
                     break;
                 default:
                     throw new DatasetFormatException($"it has a record of the unknown kind {head[0]}.");
@@ -134,16 +142,29 @@ internal sealed class McapReader(Stream file)
             );
             int channel = BitConverter.ToUInt16(content, (int)at + McapRecord.HeadLength);
             _messages[channel] = _messages.GetValueOrDefault(channel) + 1;
-            if (channel == McapChannel.Image.Id)
+            Expect(_channels.TryGetValue(channel, out McapChannel? known), "a message is of a channel that is not defined before it.");
+            if (IsOfImages(known!))
             {
-                CheckImage(content, (int)at + McapRecord.HeadLength + MessageHeadBytes, (int)length - MessageHeadBytes);
+                CheckImage(known!, content, (int)at + McapRecord.HeadLength + MessageHeadBytes, (int)length - MessageHeadBytes);
             }
 
             at += McapRecord.HeadLength + length;
         }
     }
 
-    private void CheckImage(byte[] content, int start, int length)
+    private static bool IsOfImages(McapChannel channel) => channel.Schema == McapChannel.Image.Schema;
+
+    private void Channel(byte[] content)
+    {
+        int id = BitConverter.ToUInt16(content);
+        Expect(
+            _schemas.TryGetValue(BitConverter.ToUInt16(content, sizeof(ushort)), out string? schema),
+            "a channel has a schema that is not defined before it."
+        );
+        _channels[id] = new McapChannel(id, McapDefinitions.Utf8(content, 2 * sizeof(ushort)), schema!);
+    }
+
+    private void CheckImage(McapChannel channel, byte[] content, int start, int length)
     {
         try
         {
@@ -151,7 +172,8 @@ internal sealed class McapReader(Stream file)
         }
         catch (DatasetFormatException e)
         {
-            throw new DatasetFormatException($"image {_messages[McapChannel.Image.Id]}: {e.Message}", e);
+            string place = channel == McapChannel.Image ? "" : $"{channel.Topic}, ";
+            throw new DatasetFormatException($"{place}image {_messages[channel.Id]}: {e.Message}", e);
         }
     }
 

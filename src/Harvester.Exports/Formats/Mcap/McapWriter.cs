@@ -1,10 +1,13 @@
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Exports.Formats.Mcap;
 
-/// <summary>Writes MCAP: a file per place with a chunk per frame. See docs/exports/mcap.md.</summary>
+/// <summary>Writes MCAP: a file per place, with all sensors of a rig, and a chunk per frame. See docs/exports/mcap.md.</summary>
 internal sealed class McapWriter : IDatasetWriter
 {
     private const double NanosecondsPerSecond = 1e9;
@@ -23,13 +26,15 @@ internal sealed class McapWriter : IDatasetWriter
         }
 
         long nanoseconds = Nanoseconds(label.TimeSeconds);
-        var messages = new FoxgloveMessages(label, nanoseconds);
+        int view = frame.Rig is { } rig ? ViewOf(frame, rig) : 0;
+        CameraChannels camera = frame.Rig is null ? CameraChannels.Single : CameraChannels.Of(frame.Rig, view);
+        var messages = new FoxgloveMessages(label, nanoseconds, camera.FrameId, frame.IsFirstView);
         (byte[] image, string format) = ImageOf(frame, output);
         var all = new List<McapMessage>
         {
-            new(McapChannel.Image, messages.Image(image, format)),
-            new(McapChannel.Calibration, messages.Calibration()),
-            new(McapChannel.Transforms, messages.Transforms()),
+            new(camera.Image, messages.Image(image, format)),
+            new(camera.Calibration, messages.Calibration()),
+            new(McapChannel.Transforms, messages.Transforms(label.Lidar.Select(sweep => PlaceOf(frame, LidarOf(frame, sweep))))),
             new(McapChannel.Objects, messages.Objects(frame.Objects)),
         };
         if (label.Lanes is { } lanes)
@@ -37,37 +42,92 @@ internal sealed class McapWriter : IDatasetWriter
             all.Add(new(McapChannel.Lanes, messages.Lanes(lanes)));
         }
 
-        all.Add(new(McapChannel.Annotations, messages.Annotations(frame.Objects)));
-        if (label.Lanes is { Status: Harvester.Geometry.Lanes.LaneStatus.Known } known)
+        all.Add(new(camera.Annotations, messages.Annotations(frame.Objects)));
+        if (frame.IsFirstView)
         {
-            all.Add(new(McapChannel.Indicators, IndicatorMessage.Of(label, known, nanoseconds)));
+            all.AddRange(OfVehicle(frame, nanoseconds));
         }
 
-        if (label.Drive is { } drive)
+        if (frame.ReadDepth() is { } depth)
         {
-            all.AddRange(DriveMessages.Of(drive, nanoseconds, Nanoseconds));
+            all.Add(new(camera.Depth, DepthMessage.Of(depth, camera.FrameId, nanoseconds)));
         }
 
-        if (label.Events is { } events)
+        foreach (SweepLabel sweep in label.Lidar)
         {
-            all.Add(new(McapChannel.Events, EventMessage.Of(events, nanoseconds)));
+            RigLidar lidar = LidarOf(frame, sweep);
+            all.Add(
+                new(
+                    CameraChannels.OfLidar(frame.Rig!, lidar),
+                    PointMessage.Of(frame.ReadPoints(sweep), CameraChannels.LidarFrame(lidar), nanoseconds)
+                )
+            );
         }
 
-        if (label.Channels.Get<BirdsEyeLabel>() is { } map)
-        {
-            all.Add(new(McapChannel.BirdsEye, GridMessage.Of(frame, map, nanoseconds)));
-        }
-
+        // The views of a place follow each other as sequences, and its file has the number of the first.
         output.StagedPart(
-            $"{frame.Split}/{frame.SequenceIndex:D4}.mcap",
+            $"{frame.Split}/{frame.SequenceIndex - view:D4}.mcap",
             frame.Name + ".chunk",
-            stream => McapChunk.Write(stream, nanoseconds, frame.FrameInSequence, all)
+            stream =>
+            {
+                if (frame.Rig is not null)
+                {
+                    McapChunk.WriteChannels(stream, all);
+                }
+
+                McapChunk.Write(stream, nanoseconds, frame.FrameInSequence, all);
+            }
         );
         return new WrittenObjects(frame.Objects.Count);
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         parts.Keys.Select(file => new AggregateFile(file, [AggregateSection.Container(file, McapFile.Write)]));
+
+    /// <summary>The messages about the vehicle and its surroundings, which all views share.</summary>
+    private static IEnumerable<McapMessage> OfVehicle(ExportFrame frame, long nanoseconds)
+    {
+        FrameLabel label = frame.Label;
+        if (label.Lanes is { Status: LaneStatus.Known } known)
+        {
+            yield return new(McapChannel.Indicators, IndicatorMessage.Of(label, known, nanoseconds));
+        }
+
+        if (label.Drive is { } drive)
+        {
+            foreach (McapMessage message in DriveMessages.Of(drive, nanoseconds, Nanoseconds))
+            {
+                yield return message;
+            }
+        }
+
+        if (label.Events is { } events)
+        {
+            yield return new(McapChannel.Events, EventMessage.Of(events, nanoseconds));
+        }
+
+        if (label.Channels.Get<BirdsEyeLabel>() is { } map)
+        {
+            yield return new(McapChannel.BirdsEye, GridMessage.Of(frame, map, nanoseconds));
+        }
+    }
+
+    private static int ViewOf(ExportFrame frame, Rig rig)
+    {
+        int view = rig.Cameras.TakeWhile(camera => camera.Name != frame.Label.View).Count();
+        return view < rig.Cameras.Count ? view : throw frame.Problem($"its view '{frame.Label.View}' is no camera of the rig.");
+    }
+
+    private static RigLidar LidarOf(ExportFrame frame, SweepLabel sweep) =>
+        frame.Rig?.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
+        ?? throw frame.Problem($"its LiDAR '{sweep.Sensor}' is not in the rig.");
+
+    private static (string Frame, Pose Pose) PlaceOf(ExportFrame frame, RigLidar lidar)
+    {
+        EgoLabel ego = frame.Label.Ego;
+        var vehicle = new Pose(ego.Position, ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees));
+        return (CameraChannels.LidarFrame(lidar), vehicle.Compose(frame.Rig!.OnVehicle(lidar.Mount)));
+    }
 
     private static long Nanoseconds(double seconds) => (long)Math.Round(seconds * NanosecondsPerSecond);
 

@@ -25,11 +25,16 @@ internal static class MessageSchemas
         Imu.Descriptor,
         OpenEvents.Descriptor,
         Grid.Descriptor,
+        RawImage.Descriptor,
+        Foxglove.PointCloud.Descriptor,
     }.ToDictionary(message => message.FullName, StringComparer.Ordinal);
+
+    /// <summary>Full name of the message of points, which only rigs have.</summary>
+    public const string PointCloud = "foxglove.PointCloud";
 
     /// <summary>Full names of the messages of the channels, each once.</summary>
     public static IReadOnlyList<string> Names { get; } =
-    [.. McapChannel.All.Select(channel => channel.Schema).Distinct(StringComparer.Ordinal)];
+    [.. McapChannel.All.Select(channel => channel.Schema).Append(PointCloud).Distinct(StringComparer.Ordinal)];
 
     /// <summary>A serialised FileDescriptorSet with the file of a message after all files that it imports.</summary>
     public static byte[] DescriptorsOf(string message)
