@@ -150,6 +150,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
         new("export-kitti-flow", "export {inputs}/moving --format kitti-flow --out {root}/out"),
+        new("export-occ3d", "export {inputs}/moving --format occ3d --out {root}/out"),
         new("export-euroc", "export {inputs}/moving --format euroc --out {root}/out"),
         new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
