@@ -13,6 +13,10 @@ namespace Harvester.Exports.Formats.Mcap;
 internal static class VoxelGridMessage
 {
     private const int CellBytes = 8;
+
+    /// <summary>A message is held in memory several times; this many voxels make 32 MB.</summary>
+    private const int MaxVoxels = 4_000_000;
+
     private const int AlphaAt = 3;
     private const int ClassAt = 4;
     private const int VisibleAt = 5;
@@ -33,10 +37,17 @@ internal static class VoxelGridMessage
     /// <param name="frame">The frame of the moment's first view.</param>
     /// <param name="label">What its label says of the voxels.</param>
     /// <param name="nanoseconds">The moment, nanoseconds.</param>
-    /// <exception cref="Harvester.Sessions.Reading.Files.DatasetFormatException">A map cannot be read.</exception>
+    /// <exception cref="Harvester.Sessions.Reading.Files.DatasetFormatException">
+    /// A map cannot be read, or the voxels are too many.
+    /// </exception>
     public static byte[] Of(ExportFrame frame, OccupancyLabel label, long nanoseconds)
     {
         VoxelShape shape = label.Shape;
+        if (shape.Count > MaxVoxels)
+        {
+            throw frame.Problem(FormattableString.Invariant($"it has {shape.Count} voxels, and mcap takes at most {MaxVoxels}."));
+        }
+
         double half = shape.Cells * shape.CellMetres / 2;
         return new Foxglove.VoxelGrid
         {
