@@ -38,16 +38,7 @@ internal sealed class Occ3dCheck
         {
             number = line;
             bool isEnd = text.StartsWith('}');
-            string? layout =
-                line == 1
-                    ? text == Occ3dFiles.Begin
-                        ? null
-                        : $"it is not '{Occ3dFiles.Begin}'."
-                    : depth == 0
-                        ? "it follows the end of the file."
-                        : !before.EndsWith('{') && before.EndsWith(',') == isEnd
-                            ? "the comma before it is missing, or one too many."
-                            : null;
+            string? layout = LayoutProblem(line, text, before, depth);
             if (layout is not null)
             {
                 yield return new SessionProblem(Occ3dFiles.Annotations, line, layout);
@@ -83,6 +74,14 @@ internal sealed class Occ3dCheck
             yield return new SessionProblem(Occ3dFiles.Annotations, null, $"the scene '{scene}' is in no split.");
         }
     }
+
+    /// <summary>Whether a line can follow another: a comma stands between fields, and none before the end of an object.</summary>
+    private static string? LayoutProblem(int line, string text, string before, int depth) =>
+        line == 1 && text != Occ3dFiles.Begin ? $"it is not '{Occ3dFiles.Begin}'."
+        : line > 1 && depth == 0 ? "it follows the end of the file."
+        : line > 1 && !before.EndsWith('{') && before.EndsWith(',') == text.StartsWith('}')
+            ? "the comma before it is missing, or one too many."
+        : null;
 
     private string? EndProblem(ref int depth)
     {
