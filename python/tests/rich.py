@@ -96,6 +96,16 @@ def write(folder: Path) -> Path:
             "cellMetres": 1.0,
             "source": "exact",
         },
+        occupancy={
+            "file": "occupancy/1.png",
+            "instances": "occupancy-instances/1.png",
+            "visible": "occupancy-visible/1.png",
+            "cells": 4,
+            "layers": 3,
+            "cellMetres": 0.4,
+            "lowestMetres": -1.0,
+            "origin": [0.0, 0.0, -0.3],
+        },
         lidar=[{"sensor": "top", "file": "lidar/1.bin"}],
         motion=[[float(i) for i in range(13)]],
         radar=[
@@ -130,6 +140,9 @@ def write(folder: Path) -> Path:
         ("flow/3.png", colours.astype(np.uint16)),
         ("flow/4.png", grey),
         ("flow/5.png", grey),
+        ("occupancy/1.png", np.ones((12, 4), np.uint8)),
+        ("occupancy-instances/1.png", np.ones((12, 4), np.uint16)),
+        ("occupancy-visible/1.png", np.full((12, 4), 255, np.uint8)),
         ("birds-eye/1.png", np.ones((12, 12), np.uint8)),
         ("birds-eye-visible/1.png", np.full((12, 12), 255, np.uint8)),
     ):

@@ -95,6 +95,24 @@ def test_birds_eye_maps_have_a_size_of_their_own(handmade: HandmadeSession) -> N
         open_session(folder)[0].birds_eye_visible()
 
 
+def test_voxels_are_layers_from_below(handmade: HandmadeSession) -> None:
+    classes, ids, seen = np.zeros((12, 4), np.uint8), np.zeros((12, 4), np.uint16), np.zeros((12, 4), np.uint8)
+    classes[9, 2], ids[9, 2], seen[4, 0] = 11, 700, 255
+    folders = {"file": "occupancy", "instances": "occupancy-instances", "visible": "occupancy-visible"}
+    names = {key: f"{folder}/1.png" for key, folder in folders.items()}
+    handmade.lines[1]["occupancy"] = {**names, "cells": 4, "layers": 3, "cellMetres": 0.4, "lowestMetres": -1.0}
+    folder = handmade.write()
+    for name, picture in zip(folders.values(), (classes, ids, seen)):
+        (folder / name).mkdir()
+        (folder / name / "1.png").write_bytes(png.encode(picture))
+    frame = open_session(folder)[1]
+    assert frame.occupancy().shape == (3, 4, 4) and np.argwhere(frame.occupancy()).tolist() == [[2, 1, 2]]
+    assert frame.occupancy()[2, 1, 2] == 11 and frame.occupancy_instances()[2, 1, 2] == 700
+    assert np.argwhere(frame.occupancy_visible()).tolist() == [[1, 0, 0]]
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no voxels"):
+        open_session(folder)[0].occupancy()
+
+
 def test_flow_is_in_pixels_and_motion_in_metres(handmade: HandmadeSession) -> None:
     coded = np.zeros((HEIGHT, WIDTH, 3), np.uint16)
     coded[0, 0], coded[0, 1] = (32768 + 96, 32768 - 1, 1), (32768, 32768, 1)

@@ -47,6 +47,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it requires the samples of the inertial unit.</summary>
     public bool NeedsImu { get; init; }
 
+    /// <summary>Whether it requires the voxels around the vehicle.</summary>
+    public bool NeedsOccupancy { get; init; }
+
     /// <summary>Whether its objects have one 2D box, of a kind that can be chosen.</summary>
     public bool HasBoxes { get; init; }
 

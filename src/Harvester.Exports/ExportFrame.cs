@@ -1,5 +1,6 @@
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
+using Harvester.Geometry.Grids;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
@@ -251,6 +252,20 @@ public sealed class ExportFrame
     /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size.</exception>
     internal InstanceMap ReadCells(string name, string kind, int cells) =>
         ReadMap(name, kind, PngDecoder.ReadLabelMap, (cells, cells), "that of the label");
+
+    /// <summary>Reads a map of voxels, of 8 bits or of 16: square layers, one below the other.</summary>
+    /// <param name="name">Its name.</param>
+    /// <param name="shape">The size of the box of voxels.</param>
+    /// <param name="hasIds">Whether it has the ids of objects, of 16 bits.</param>
+    /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size.</exception>
+    internal ushort[] ReadVoxels(string name, VoxelShape shape, bool hasIds = false) =>
+        ReadMap(
+            name,
+            "map of voxels",
+            hasIds ? PngDecoder.ReadInstanceMap : PngDecoder.ReadLabelMap,
+            (shape.Cells, shape.Cells * shape.Layers),
+            "that of the label"
+        ).Ids;
 
     private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read) =>
         ReadMap(name, kind, read, (Label.Camera.Width, Label.Camera.Height), "that of the image");

@@ -31,6 +31,11 @@ internal static class FrameRequirements
             throw frame.Problem($"it has no samples of an inertial unit, which {format.Name} needs. Harvest with --imu.");
         }
 
+        if (format.NeedsOccupancy && frame.Label.Channels.Get<OccupancyLabel>() is null)
+        {
+            throw frame.Problem($"it has no voxels, which {format.Name} needs. Harvest with --occupancy.");
+        }
+
         if (format.HasMap && options.Roads is null && !frame.HasFile(FramePaths.Roads))
         {
             throw frame.Problem(

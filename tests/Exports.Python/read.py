@@ -23,6 +23,7 @@ import mcap_rig
 import motchallenge
 import nuscenes
 import nuscenes_detection
+import occ3d
 import openlabel
 import pairs
 import panoptic
@@ -432,6 +433,7 @@ if __name__ == "__main__":
         )
     )
     print(mcap_rig.read(os.path.join(root, "rig"), os.path.join(root, "rig-mcap")))
+    print(occ3d.read(*(os.path.join(root, name) for name in ("rig", "rig-occ3d", "rig-mcap"))))
     print(radar.read(os.path.join(root, "radar"), os.path.join(root, "radar-nuscenes")))
     print(euroc.read(os.path.join(root, "flowing"), os.path.join(root, "euroc")))
     print(flow.read(root, os.path.join(root, "KittiFlow"), os.path.join(root, "middlebury-flow")))

@@ -13,6 +13,7 @@ internal static class SessionForFormat
         {
             { NeedsClassMaps: true } => session.OpenWithClassMaps(),
             { NeedsFlow: true } or { NeedsImu: true } => session.OpenWithFlow(),
+            { NeedsOccupancy: true } => session.OpenWithVoxels(),
             { HasMap: true } => session.OpenWithRoads(),
             _ => session.Open(),
         };

@@ -23,7 +23,9 @@ public sealed class SimulatedSession : IDisposable
     private readonly Lazy<string> _withClassMaps = new(() => Harvest(SemanticsMethod.Exact));
     private readonly Lazy<string> _withRoads = new(() => Harvest(null, keepsRoads: true));
 
-    private readonly Lazy<string> _withFlow = new(() => Harvest(null, hasFlow: true));
+    private readonly Lazy<string> _withFlow = new(() => Harvest(null, channels: [FrameChannels.Flow.Key, FrameChannels.Imu.Key]));
+
+    private readonly Lazy<string> _withVoxels = new(() => Harvest(null, channels: [FrameChannels.Occupancy.Key]));
 
     public string Folder { get; } = Harvest(null);
 
@@ -38,10 +40,13 @@ public sealed class SimulatedSession : IDisposable
     /// <summary>Opens the same session with flow and an inertial unit.</summary>
     public SessionReader OpenWithFlow() => new(_withFlow.Value);
 
+    /// <summary>Opens the same session with voxels.</summary>
+    public SessionReader OpenWithVoxels() => new(_withVoxels.Value);
+
     public void Dispose()
     {
         Directory.Delete(Folder, recursive: true);
-        foreach (Lazy<string> made in (Lazy<string>[])[_withClassMaps, _withRoads, _withFlow])
+        foreach (Lazy<string> made in (Lazy<string>[])[_withClassMaps, _withRoads, _withFlow, _withVoxels])
         {
             if (made.IsValueCreated)
             {
@@ -50,7 +55,7 @@ public sealed class SimulatedSession : IDisposable
         }
     }
 
-    private static string Harvest(SemanticsMethod? semantics, bool keepsRoads = false, bool hasFlow = false)
+    private static string Harvest(SemanticsMethod? semantics, bool keepsRoads = false, params string[] channels)
     {
         string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
@@ -71,7 +76,7 @@ public sealed class SimulatedSession : IDisposable
             RangeMetres = 80,
             Masks = true,
             Semantics = semantics,
-            Channels = new ChannelKeys(hasFlow ? [FrameChannels.Flow.Key, FrameChannels.Imu.Key] : []),
+            Channels = new ChannelKeys(channels),
         };
         RoadNetwork roads = game.Roads;
         if (keepsRoads)

@@ -33,6 +33,7 @@ internal static class FigureRun
             game.Tick(1 / 60.0);
         }
 
+        VoxelFigures.Run(game);
         FlowFigures.Run(game);
         Rays(game);
         var picture = new PixelBuffer(Size);

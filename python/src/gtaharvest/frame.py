@@ -249,6 +249,38 @@ class View:
         name, cells = map
         return read_class_map(self.inner(name), (cells, cells))
 
+    def occupancy(self) -> Picture:
+        """The voxels around the ego as (layers, cells, cells), uint8: 0 free, 255 enclosed by surfaces, or the class of a surface.
+
+        Layers from below; in each, row 0 is the farthest ahead and column 0 the farthest to the left. Raises MissingPictureError if the
+        frame has none or a file does not exist, and PictureError as image does.
+        """
+        name, shape = self._occupancy("file")
+        stored: Picture = read_class_map(self.inner(name), (shape[2], shape[0] * shape[1])).reshape(shape)
+        return stored
+
+    def occupancy_instances(self) -> Picture:
+        """The ids of the objects in the voxels of occupancy, as (layers, cells, cells), uint16; 0 for none. Errors as in occupancy."""
+        name, shape = self._occupancy("instances")
+        stored: Picture = read_mask(self.inner(name), (shape[2], shape[0] * shape[1])).reshape(shape)
+        return stored
+
+    def occupancy_visible(self) -> Picture:
+        """Which voxels of occupancy the camera sees, as (layers, cells, cells), bool. Errors as in occupancy."""
+        name, shape = self._occupancy("visible")
+        seen: Picture = read_class_map(self.inner(name), (shape[2], shape[0] * shape[1])).reshape(shape) != 0
+        return seen
+
+    def _occupancy(self, kind: str) -> Tuple[str, Tuple[int, int, int]]:
+        def found(part: Any) -> Tuple[str, Tuple[int, int, int]]:
+            cells = integer(part["cells"])
+            return text(part[kind]), (integer(part["layers"]), cells, cells)
+
+        map = checked(self._source, lambda: optional(found, self.raw.get("occupancy")))
+        if map is None:
+            raise MissingPictureError(f"{self._source}: the frame has no voxels. Harvest with --occupancy.")
+        return map
+
     def _flow_path(self, kind: str) -> Path:
         name = checked(self._source, lambda: optional(lambda part: text(part[kind]), self.raw.get("flow")))
         if name is None:
@@ -496,6 +528,18 @@ class Frame:
     def birds_eye(self) -> Picture:
         """The bird's-eye map of the only view; see View.birds_eye."""
         return self.view.birds_eye()
+
+    def occupancy(self) -> Picture:
+        """The voxels of the only view; see View.occupancy."""
+        return self.view.occupancy()
+
+    def occupancy_instances(self) -> Picture:
+        """The ids of the objects in the voxels of the only view; see View.occupancy_instances."""
+        return self.view.occupancy_instances()
+
+    def occupancy_visible(self) -> Picture:
+        """The voxels that the camera of the only view sees; see View.occupancy_visible."""
+        return self.view.occupancy_visible()
 
     def birds_eye_visible(self) -> Picture:
         """The cells that the camera of the only view sees; see View.birds_eye_visible."""

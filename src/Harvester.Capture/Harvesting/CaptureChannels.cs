@@ -13,6 +13,7 @@ internal static class CaptureChannels
         new NormalsCapture(),
         new FlowCapture(),
         new BirdsEyeCapture(),
+        new OccupancyCapture(),
         new ImuCapture(),
         new GnssCapture(),
         new LidarCapture(),

@@ -40,7 +40,15 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     public Camera CameraOf(SceneSnapshot snapshot) => options.CameraOf(snapshot.Camera);
 
     /// <summary>The objects that may be labelled, found before anything is photographed or a ray is cast.</summary>
-    public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) => _objects.CandidatesOf(camera, snapshot);
+    public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot)
+    {
+        if (options.Channels.Contains(FrameChannels.Occupancy.Key))
+        {
+            OccupancyLabeller.AssignIds(snapshot, registry);
+        }
+
+        return _objects.CandidatesOf(camera, snapshot);
+    }
 
     /// <summary>
     /// Labels a frame in steps, into its draft. The work may be interrupted after any step and go on in a later tick, as long as the game

@@ -78,6 +78,13 @@ public record LabellingOptions
                 + FormattableString.Invariant($"vehicles and people are read up to {ReadRangeMetres} m. Read them farther.")
             : null;
 
+    /// <summary>Why voxels cannot be made, one sentence; null if they can, or are not.</summary>
+    public string? OccupancyProblem =>
+        Channels.Contains(FrameChannels.Occupancy.Key) && ReadRangeMetres < VoxelShape.Usual.ReachMetres
+            ? FormattableString.Invariant($"Voxels reach {VoxelShape.Usual.ReachMetres:0.0} m, but objects are read up to ")
+                + FormattableString.Invariant($"{ReadRangeMetres} m. Read them farther.")
+            : null;
+
     /// <summary>The classes of the materials that rays report.</summary>
     public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;
 

@@ -23,6 +23,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>The ground itself, of a simulated game; otherwise null.</summary>
     public IGround? Ground { get; init; }
 
+    /// <summary>The surfaces of everything around the vehicle, of a simulated game; otherwise null.</summary>
+    public ISolids? Solids { get; init; }
+
     /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 

@@ -333,7 +333,9 @@ internal sealed class HarvestCommand
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),
         };
-        return (options.KeepProblem ?? options.BirdsEyeProblem) is { } problem ? throw new UsageException(problem) : options;
+        return (options.KeepProblem ?? options.BirdsEyeProblem ?? options.OccupancyProblem) is { } problem
+            ? throw new UsageException(problem)
+            : options;
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;

@@ -91,6 +91,14 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             {
                 ClassMapLabel map => [.. ClassMapCheck.Problems(map.File, PngDecoder.ReadLabelMap(session.PathOf(map.File)))],
                 BirdsEyeLabel map => [.. BirdsEyeCheck.Problems(map, name => PngDecoder.ReadLabelMap(session.PathOf(name)))],
+                OccupancyLabel map =>
+                [
+                    .. OccupancyCheck.Problems(
+                        map,
+                        name => PngDecoder.ReadLabelMap(session.PathOf(name)),
+                        name => PngDecoder.ReadInstanceMap(session.PathOf(name))
+                    ),
+                ],
                 FlowLabel flow => [.. FlowCheck.Problems(flow.Maps, session.PathOf)],
                 DepthLabel depth => [.. DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)))],
                 _ => Array.Empty<string>(),

@@ -14,6 +14,7 @@ using Harvester.Exports.Formats.Mcap;
 using Harvester.Exports.Formats.MotChallenge;
 using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Formats.NuScenes;
+using Harvester.Exports.Formats.Occ3d;
 using Harvester.Exports.Formats.OpenLabel;
 using Harvester.Exports.Formats.OpenLaneV2;
 using Harvester.Exports.Formats.PointClouds;
@@ -188,6 +189,14 @@ public static class DatasetFormats
             HasPoints = true,
             IncludesRiders = true,
             Check = NuScenesCheck.Problems,
+        },
+        new("occ3d", "Occ3D-nuScenes: voxels around the vehicle with classes, and images", _ => new Occ3dWriter())
+        {
+            NeedsRectilinear = true,
+            NeedsOccupancy = true,
+            KeepsSequences = true,
+            ListsObjects = false,
+            Check = Occ3dCheck.Problems,
         },
         Points("pcd", "Point clouds of LiDARs, as PCL's PCD files", PointCloudKind.Pcd),
         Points("ply", "Point clouds of LiDARs, as PLY files", PointCloudKind.Ply),

@@ -27,6 +27,9 @@ public static class FrameChannels
     /// <summary>The channel of bird's-eye maps.</summary>
     public static BirdsEyeChannel BirdsEye { get; } = new();
 
+    /// <summary>The channel of voxels.</summary>
+    public static OccupancyChannel Occupancy { get; } = new();
+
     /// <summary>The channel of the detections of radars.</summary>
     public static RadarsChannel Radars { get; } = new();
 
@@ -37,7 +40,7 @@ public static class FrameChannels
     public static GnssChannel Gnss { get; } = new();
 
     /// <summary>The channels whose fields stand before the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow, BirdsEye];
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow, BirdsEye, Occupancy];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
     internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs, Imu, Gnss, Radars];

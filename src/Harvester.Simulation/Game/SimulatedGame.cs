@@ -83,6 +83,7 @@ public sealed class SimulatedGame
             Sheets = new SheetsPort(this),
             Surfaces = new SurfacePort(this),
             Ground = new GroundPort(this),
+            Solids = new SolidsPort(this),
             Hud = new HudPort(this),
             Card = new CardPort(this),
             Stage = options.Stage is null ? null : new StagePort(this),
@@ -233,6 +234,9 @@ public sealed class SimulatedGame
             return _present;
         }
     }
+
+    /// <summary>The moment that the current picture shows.</summary>
+    internal Moment Picture => MomentShown;
 
     private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
 

@@ -31,7 +31,8 @@ internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
         return ([.. picture.Depth], [.. picture.Handles]);
     }
 
-    private static SemanticClass ClassOf(SurfaceKind kind) =>
+    /// <summary>The class of a surface of the static world.</summary>
+    internal static SemanticClass ClassOf(SurfaceKind kind) =>
         kind switch
         {
             SurfaceKind.Road => SemanticClass.Road,

@@ -235,8 +235,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--images",
         "copy",
         "kitti, kitti-tracking, kitti-odometry, kitti-flow, middlebury-flow, euroc, coco, coco-panoptic, coco-keypoints, jta, yolo, "
-            + "yolo-segment, voc, cityscapes, semantic, bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, "
-            + "openlane-v2, imagefolder, csv, parquet, video, video-lossless"
+            + "yolo-segment, voc, cityscapes, semantic, bdd100k, motchallenge, openlabel, nuscenes, occ3d, tusimple, culane, "
+            + "openlane, openlane-v2, imagefolder, csv, parquet, video, video-lossless"
     )]
     [InlineData(
         "--split-block",

@@ -28,6 +28,7 @@ public sealed class HarvestedFormats : IDisposable
                 "exact",
                 "--flow",
                 "--imu",
+                "--occupancy",
                 "--image-format",
                 format
             );

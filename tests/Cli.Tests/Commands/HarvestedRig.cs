@@ -47,6 +47,7 @@ public sealed class HarvestedRig : IDisposable
                 "2",
                 "--masks",
                 "--depth",
+                "--occupancy",
                 "--no-report",
                 .. more,
             ])

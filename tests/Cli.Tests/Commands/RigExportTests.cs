@@ -15,6 +15,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("pcd", "clouds/top/00000006.pcd")]
     [InlineData("ply", "clouds/top/00000006.ply")]
     [InlineData("nuscenes", "can_bus/scene-2002_pose.json")]
+    [InlineData("occ3d", "annotations.json")]
     [InlineData("mcap", "train/0002.mcap")]
     public void Export_of_a_rig_is_valid(string format, string file)
     {
@@ -29,6 +30,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     [InlineData("pcd")]
     [InlineData("ply")]
     [InlineData("nuscenes")]
+    [InlineData("occ3d")]
     [InlineData("mcap")]
     public void Empty_file_of_points_is_refused(string format)
     {

@@ -18,6 +18,7 @@ public sealed class SmallSession : IDisposable
             "exact",
             "--flow",
             "--imu",
+            "--occupancy",
             "--no-report"
         );
 

@@ -146,6 +146,24 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Relabel,
             Export("middlebury-flow")
         ),
+        new(
+            "occupancy",
+            "session/occupancy/00000000.png",
+            ValidatePictures,
+            "validate {0}/session",
+            Relabel,
+            Export("occ3d"),
+            Export("mcap")
+        ),
+        new(
+            "occupancy-instances",
+            "session/occupancy-instances/00000000.png",
+            ValidatePictures,
+            "validate {0}/session",
+            Export("occ3d"),
+            Export("mcap")
+        ),
+        new("occupancy-visible", "session/occupancy-visible/00000000.png", ValidatePictures, "validate {0}/session", Export("occ3d")),
         new("birds-eye", "session/birds-eye/00000000.png", ValidatePictures, "validate {0}/session", Relabel, Export("mcap")),
         new("birds-eye-visible", "session/birds-eye-visible/00000000.png", ValidatePictures, "validate {0}/session", Export("mcap")),
         new(
@@ -198,6 +216,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("nuscenes", "nuscenes", "v1.0-gta/sample_data.json"),
         Dataset("nuscenes-splits", "nuscenes", "v1.0-gta/splits.json"),
         Dataset("nuscenes-can-bus", "nuscenes", "can_bus/scene-2001_pose.json"),
+        Dataset("occ3d", "occ3d", "annotations.json"),
+        Dataset("occ3d-voxels", "occ3d", "gts/scene-2001/ae733fc029229053159314d6ed7675fd/labels.npz"),
         Dataset("odometry", "kitti-odometry", "poses/00.txt"),
         Dataset("odometry-calibration", "kitti-odometry", "sequences/00/calib.txt"),
         Dataset("clouds", "ply", "clouds.csv"),

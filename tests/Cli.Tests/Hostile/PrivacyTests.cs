@@ -120,7 +120,8 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
     /// </summary>
     public sealed class Work : IDisposable
     {
-        private const string Small = "--frames 2 --seed 2 --size 64x48 --masks --pedestrians 5 --semantics rays --flow --imu --roads ROADS";
+        private const string Small =
+            "--frames 2 --seed 2 --size 64x48 --masks --pedestrians 5 --semantics rays --flow --imu --occupancy --roads ROADS";
 
         private readonly TemporaryFolder _folder = new();
 

@@ -66,7 +66,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static IReadOnlyList<string> Inputs { get; } =
     [
         $"harvest --out {{inputs}}/session --frames 2 {Small}",
-        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu --gnss --birds-eye {Small}",
+        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu --gnss --birds-eye --occupancy {Small}",
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
@@ -150,6 +150,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
         new("export-kitti-flow", "export {inputs}/moving --format kitti-flow --out {root}/out"),
+        new("export-occ3d", "export {inputs}/moving --format occ3d --out {root}/out"),
         new("export-euroc", "export {inputs}/moving --format euroc --out {root}/out"),
         new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),

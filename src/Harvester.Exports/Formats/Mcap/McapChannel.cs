@@ -34,6 +34,8 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel Depth { get; } = new(14, "/camera/depth", "foxglove.RawImage");
 
+    public static McapChannel Occupancy { get; } = new(15, "/occupancy", "foxglove.VoxelGrid");
+
     /// <summary>The channels of every file of a single camera, by number.</summary>
     public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
 
@@ -49,8 +51,11 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
     /// <summary>The further channel of a file with depth maps.</summary>
     public static McapChannel[] OfDepths { get; } = [Depth];
 
+    /// <summary>The further channel of a file with voxels.</summary>
+    public static McapChannel[] OfVoxels { get; } = [Occupancy];
+
     /// <summary>The channels that only some files have, by number; a file has them from their first message on.</summary>
-    public static McapChannel[][] OfSome { get; } = [OfDrives, OfEvents, OfGrids, OfDepths];
+    public static McapChannel[][] OfSome { get; } = [OfDrives, OfEvents, OfGrids, OfDepths, OfVoxels];
 
     /// <summary>All channels of files of a single camera, by number. Those of rigs follow from the rig.</summary>
     public static McapChannel[] All { get; } = [.. OfSessions, .. OfSome.SelectMany(some => some)];

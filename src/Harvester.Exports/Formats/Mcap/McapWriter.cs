@@ -110,6 +110,11 @@ internal sealed class McapWriter : IDatasetWriter
         {
             yield return new(McapChannel.BirdsEye, GridMessage.Of(frame, map, nanoseconds));
         }
+
+        if (label.Channels.Get<OccupancyLabel>() is { } voxels)
+        {
+            yield return new(McapChannel.Occupancy, VoxelGridMessage.Of(frame, voxels, nanoseconds));
+        }
     }
 
     private static int ViewOf(ExportFrame frame, Rig rig)

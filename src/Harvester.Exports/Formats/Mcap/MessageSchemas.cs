@@ -27,14 +27,23 @@ internal static class MessageSchemas
         Grid.Descriptor,
         RawImage.Descriptor,
         Foxglove.PointCloud.Descriptor,
+        Foxglove.VoxelGrid.Descriptor,
     }.ToDictionary(message => message.FullName, StringComparer.Ordinal);
 
     /// <summary>Full name of the message of points, which only rigs have.</summary>
     public const string PointCloud = "foxglove.PointCloud";
 
-    /// <summary>Full names of the messages of the channels, each once.</summary>
+    /// <summary>Full names of the messages of the channels, each once; that of voxels, the youngest, is last, so that the others keep their
+    /// numbers.</summary>
     public static IReadOnlyList<string> Names { get; } =
-    [.. McapChannel.All.Select(channel => channel.Schema).Append(PointCloud).Distinct(StringComparer.Ordinal)];
+    [
+        .. McapChannel
+            .All.Except(McapChannel.OfVoxels)
+            .Select(channel => channel.Schema)
+            .Append(PointCloud)
+            .Concat(McapChannel.OfVoxels.Select(channel => channel.Schema))
+            .Distinct(StringComparer.Ordinal),
+    ];
 
     /// <summary>A serialised FileDescriptorSet with the file of a message after all files that it imports.</summary>
     public static byte[] DescriptorsOf(string message)

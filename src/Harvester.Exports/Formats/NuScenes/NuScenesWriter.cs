@@ -25,7 +25,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
     private const string KeyPrefix = "key ";
 
     /// <summary>The channel of the single camera of a session without a rig.</summary>
-    private const string FrontCamera = "CAM_FRONT";
+    public const string FrontCamera = "CAM_FRONT";
 
     /// <summary>The first of January 2020, microseconds: a fixed time, because sessions have none.</summary>
     private const long Start = 1_577_836_800_000_000;
@@ -50,8 +50,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
             rig.Cameras.FirstOrDefault(each => each.Name == (label.View ?? FrontCamera))
             ?? throw frame.Problem($"its view '{label.View}' is no camera of the rig.");
         int moment = label.Moment ?? label.Frame;
-        int inScene = (label.PlaceFrame ?? label.Frame) / rig.Cameras.Count;
-        bool isKey = inScene % Math.Max(1, (int)Math.Round(frame.RateHz / KeyRateHz)) == 0;
+        bool isKey = IsSample(frame);
         long timestamp = TimestampOf(frame, label.TimeSeconds);
         string image = PathOf(frame, isKey, camera.Name, timestamp, frame.ImageExtension);
         output.Image(image, frame);
@@ -162,9 +161,18 @@ internal sealed class NuScenesWriter : IDatasetWriter
     /// <summary>The name of a session at a place as a log.</summary>
     public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
 
-    private static string LogOf(ExportFrame frame) => LogOf(frame.RecordingIndex, frame.Label.Place ?? 0);
+    /// <summary>Whether the moment of a frame is a sample: those at two a second are.</summary>
+    public static bool IsSample(ExportFrame frame)
+    {
+        int inScene = (frame.Label.PlaceFrame ?? frame.Label.Frame) / (frame.Rig?.Cameras.Count ?? 1);
+        return inScene % Math.Max(1, (int)Math.Round(frame.RateHz / KeyRateHz)) == 0;
+    }
 
-    private static long TimestampOf(ExportFrame frame, double timeSeconds) =>
+    /// <summary>The name of the log of a frame.</summary>
+    public static string LogOf(ExportFrame frame) => LogOf(frame.RecordingIndex, frame.Label.Place ?? 0);
+
+    /// <summary>A time of a frame's session, microseconds.</summary>
+    public static long TimestampOf(ExportFrame frame, double timeSeconds) =>
         Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
 
     private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
