@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Exports.Maps;
 
@@ -22,6 +23,12 @@ internal sealed class LaneBorders
     /// <summary>The least distance of the nodes of a border, metres: on the inside of sharp turns, edges shrink to a point.</summary>
     private const double MinStep = 0.05;
 
+    /// <summary>The least length of a road's border whose ends would change places, metres.</summary>
+    private const double MinLength = 0.2;
+
+    /// <summary>How often the ends of all borders are gone through; bends have no more roads.</summary>
+    private const int MaxRounds = 50;
+
     /// <summary>Shorter ways whose inner edge would run back are left out, metres.</summary>
     private const double MinWay = 2;
 
@@ -41,8 +48,8 @@ internal sealed class LaneBorders
     {
         foreach (RoadSegment segment in map.Segments)
         {
-            AddRoad(segment.Forward);
-            AddRoad(segment.Backward);
+            AddRoad(segment.Forward, segment.Line);
+            AddRoad(segment.Backward, segment.Line.Reversed());
         }
 
         Join(map);
@@ -51,6 +58,7 @@ internal sealed class LaneBorders
             AddWays(junction);
         }
 
+        OrderEnds();
         foreach (LaneBorder border in _borders)
         {
             border.Nodes = NodesOf(border);
@@ -76,9 +84,25 @@ internal sealed class LaneBorders
         return _nodes.Count - 1;
     }
 
-    /// <summary>Whether a lane turns in less than half its width, so that its middle does not follow from its borders.</summary>
-    public static bool IsFolded(MapLane lane) =>
-        FoldedLine.IsFolded(lane.Left, lane.Centre) || FoldedLine.IsFolded(lane.Right, lane.Centre);
+    /// <summary>
+    /// Whether the middle of a lane does not follow from its borders: the lane turns in less than half its width, or an end was moved.
+    /// </summary>
+    public bool HasOwnMiddle(MapLane lane) =>
+        IsFolded(lane)
+        || _places.IsMoved(_left[lane].Start)
+        || _places.IsMoved(_left[lane].End)
+        || _places.IsMoved(_right[lane].Start)
+        || _places.IsMoved(_right[lane].End);
+
+    /// <summary>The middle of a lane, which does not run back where the lane lies on the inside of a bend that is too sharp for it.</summary>
+    public IReadOnlyList<Vector3D> MiddleOf(MapLane lane)
+    {
+        BorderSide right = _right[lane];
+        return UnfoldedLine.Of(lane.Centre, right.IsReversed ? [.. right.Border.Axis.Reverse()] : right.Border.Axis);
+    }
+
+    private static bool IsFolded(MapLane lane) =>
+        UnfoldedLine.IsFolded(lane.Left, lane.Centre) || UnfoldedLine.IsFolded(lane.Right, lane.Centre);
 
     /// <summary>
     /// The ways that have no borders: those between lanes that meet, where there is no room for a way, and those back into the same lane,
@@ -140,19 +164,22 @@ internal sealed class LaneBorders
 
     private static double Apart(MapLane lane, MapLane next) => (lane.Centre[^1] - next.Centre[0]).Length;
 
-    private void AddRoad(IReadOnlyList<MapLane> lanes)
+    private void AddRoad(IReadOnlyList<MapLane> lanes, HermiteCurve line)
     {
         if (lanes.Count == 0)
         {
             return;
         }
 
-        BorderSide left = Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, EdgeOf(lanes[0].Left, lanes[0]));
+        // Points of lanes are at even steps of the parameter of the road's line.
+        int steps = lanes[0].Centre.Count - 1;
+        Vector3D[] axis = [.. Enumerable.Range(0, steps + 1).Select(i => line.PointAt((double)i / steps))];
+        BorderSide left = Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, lanes[0].Left, axis);
         left.Border.Marking ??= lanes[0].LeftMarking;
         _left.Add(lanes[0], left);
         for (int i = 0; i < lanes.Count; i++)
         {
-            BorderSide right = Add(i < lanes.Count - 1 ? LaneBorderKind.Divider : LaneBorderKind.Edge, EdgeOf(lanes[i].Right, lanes[i]));
+            BorderSide right = Add(i < lanes.Count - 1 ? LaneBorderKind.Divider : LaneBorderKind.Edge, lanes[i].Right, axis);
             right.Border.Marking = lanes[i].RightMarking ?? (i < lanes.Count - 1 ? lanes[i + 1].LeftMarking : null);
             _right.Add(lanes[i], right);
             if (i < lanes.Count - 1)
@@ -178,12 +205,12 @@ internal sealed class LaneBorders
         return null;
     }
 
-    private BorderSide Add(LaneBorderKind kind, IReadOnlyList<Vector3D> points) =>
-        Add(kind, points, _places.Add(points[0]), _places.Add(points[^1]));
+    private BorderSide Add(LaneBorderKind kind, IReadOnlyList<Vector3D> points, IReadOnlyList<Vector3D> axis) =>
+        Add(kind, points, axis, _places.Add(points[0]), _places.Add(points[^1]));
 
-    private BorderSide Add(LaneBorderKind kind, IReadOnlyList<Vector3D> points, int start, int end)
+    private BorderSide Add(LaneBorderKind kind, IReadOnlyList<Vector3D> points, IReadOnlyList<Vector3D> axis, int start, int end)
     {
-        var border = new LaneBorder(kind, points, start, end);
+        var border = new LaneBorder(kind, points, axis, start, end);
         _borders.Add(border);
         return new BorderSide(border, IsReversed: false);
     }
@@ -205,17 +232,41 @@ internal sealed class LaneBorders
                 way,
                 beside is not null && IsSideBySide(beside.Right, way.Left)
                     ? _right[beside]
-                    : Add(LaneBorderKind.Junction, EdgeOf(way.Left, way), _left[from].End, _left[to].Start)
+                    : Add(LaneBorderKind.Junction, way.Left, way.Centre, _left[from].End, _left[to].Start)
             );
-            _right.Add(way, Add(LaneBorderKind.Junction, EdgeOf(way.Right, way), _right[from].End, _right[to].Start));
+            _right.Add(way, Add(LaneBorderKind.Junction, way.Right, way.Centre, _right[from].End, _right[to].Start));
         }
     }
 
-    private static IReadOnlyList<Vector3D> EdgeOf(IReadOnlyList<Vector3D> edge, MapLane lane) =>
-        FoldedLine.IsFolded(edge, lane.Centre) ? FoldedLine.Unfolded(edge, lane.Centre) : edge;
-
     private static bool IsSideBySide(IReadOnlyList<Vector3D> one, IReadOnlyList<Vector3D> other) =>
         one.Count == other.Count && Enumerable.Range(0, one.Count).All(i => (one[i] - other[i]).Length < SideBySide);
+
+    /// <summary>
+    /// Moves the ends of borders of roads so that none lies behind the start. In a bend of short roads, the inner edge of one may run back
+    /// from end to end: it shrinks to <see cref="MinLength"/> at its middle, and the edges of the roads before and after it meet it there.
+    /// A road that is moved may turn the next, until the bend has room.
+    /// </summary>
+    private void OrderEnds()
+    {
+        bool isMoved = true;
+        for (int round = 0; isMoved && round < MaxRounds; round++)
+        {
+            isMoved = false;
+            foreach (LaneBorder border in _borders.Where(border => _places.GroupOf(border.Start) != _places.GroupOf(border.End)))
+            {
+                (Vector3D start, Vector3D end) = (_places.PositionOf(border.Start), _places.PositionOf(border.End));
+                Vector3D chord = border.Axis[^1] - border.Axis[0];
+                Vector3D along = chord * (1 / chord.Length);
+                if ((end - start).Dot(along) < MinLength / 2)
+                {
+                    Vector3D middle = (start + end) * 0.5;
+                    _places.Move(border.Start, middle - (along * (MinLength / 2)));
+                    _places.Move(border.End, middle + (along * (MinLength / 2)));
+                    isMoved = true;
+                }
+            }
+        }
+    }
 
     private List<int> NodesOf(LaneBorder border)
     {
@@ -229,18 +280,18 @@ internal sealed class LaneBorders
         (Vector3D start, Vector3D end) = (_places.PositionOf(border.Start), _places.PositionOf(border.End));
         (Vector3D atStart, Vector3D atEnd) = (start - points[0], end - points[^1]);
         double taper = Math.Min(TaperMetres, stations[^1] / 2);
-        var line = new List<Vector3D> { start };
+        Vector3D[] tapered = [.. points];
         for (int i = 1; i < points.Count - 1; i++)
         {
             double fromStart = Math.Max(0, 1 - (stations[i] / taper));
             double fromEnd = Math.Max(0, 1 - ((stations[^1] - stations[i]) / taper));
-            Vector3D point = points[i] + (atStart * fromStart) + (atEnd * fromEnd);
-            if ((point - line[^1]).Length >= MinStep && (point - end).Length >= MinStep)
-            {
-                line.Add(point);
-            }
+            tapered[i] = points[i] + (atStart * fromStart) + (atEnd * fromEnd);
         }
 
+        (tapered[0], tapered[^1]) = (start, end);
+        IReadOnlyList<Vector3D> unfolded = UnfoldedLine.Of(tapered, border.Axis);
+        var line = new List<Vector3D> { start };
+        line.AddRange(unfolded.Skip(1).SkipLast(1).Where(point => (point - line[^1]).Length >= MinStep && (point - end).Length >= MinStep));
         line.Add(end);
         IReadOnlyList<Vector3D> thinned = ThinnedLine.Of(line, Tolerance);
         var nodes = new List<int> { NodeAt(border.Start, start) };

@@ -46,11 +46,14 @@ public sealed class Lanelet2Map
             _borderWays.Add(border, new Lanelet2Way(border.Nodes, [.. TagsOf(border)]));
         }
 
-        foreach (MapLane lane in _lanes.Where(lane => lane.Turn is MapTurn.Left or MapTurn.Right || LaneBorders.IsFolded(lane)))
+        foreach (MapLane lane in _lanes.Where(lane => lane.Turn is MapTurn.Left or MapTurn.Right || _borders.HasOwnMiddle(lane)))
         {
             _middles.Add(
                 lane,
-                new Lanelet2Way([.. ThinnedLine.Of(lane.Centre, MiddleTolerance).Select(_borders.AddNode)], [("type", "virtual")])
+                new Lanelet2Way(
+                    [.. ThinnedLine.Of(_borders.MiddleOf(lane), MiddleTolerance).Select(_borders.AddNode)],
+                    [("type", "virtual")]
+                )
             );
         }
 

@@ -139,24 +139,32 @@ internal sealed class Lanelet2Sides
         return (nodes, nodes[^1..]);
     }
 
-    /// <summary>A line with a number of nodes more on its longest piece; null if there is no room for them.</summary>
+    /// <summary>A line with a number of nodes more, each where the nodes are farthest apart; null if there is no room for them.</summary>
     private static List<BorderNode>? Filled(List<BorderNode> nodes, int more)
     {
-        if (more <= 0)
+        int[] parts = [.. Enumerable.Repeat(1, nodes.Count - 1)];
+        double StepOf(int piece) => (nodes[piece + 1].Place - nodes[piece].Place).Length / parts[piece];
+        for (int added = 0; added < more; added++)
         {
-            return nodes;
+            int longest = Enumerable.Range(0, parts.Length).MaxBy(StepOf);
+            parts[longest]++;
+            if (StepOf(longest) < MinStep)
+            {
+                return null;
+            }
         }
 
-        int longest = Enumerable.Range(1, nodes.Count - 1).MaxBy(i => (nodes[i].Place - nodes[i - 1].Place).Length);
-        (Vector3D from, Vector3D to) = (nodes[longest - 1].Place, nodes[longest].Place);
-        return (to - from).Length / (more + 1) < MinStep
-            ? null
-            :
-            [
-                .. nodes[..longest],
-                .. Enumerable.Range(1, more).Select(i => new BorderNode(null, from + ((to - from) * ((double)i / (more + 1))))),
-                .. nodes[longest..],
-            ];
+        var filled = new List<BorderNode> { nodes[0] };
+        for (int piece = 0; piece < parts.Length; piece++)
+        {
+            (Vector3D from, Vector3D to) = (nodes[piece].Place, nodes[piece + 1].Place);
+            filled.AddRange(
+                Enumerable.Range(1, parts[piece] - 1).Select(i => new BorderNode(null, from + ((to - from) * ((double)i / parts[piece]))))
+            );
+            filled.Add(nodes[piece + 1]);
+        }
+
+        return filled;
     }
 
     /// <summary>Whether Lanelet2 would have both borders in the direction of the lane.</summary>

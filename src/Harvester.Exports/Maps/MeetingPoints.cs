@@ -2,12 +2,15 @@ using Harvester.Geometry;
 
 namespace Harvester.Exports.Maps;
 
-/// <summary>Places at which borders of lanes begin and end. Those that are joined are one, in the middle between them.</summary>
+/// <summary>
+/// Places at which borders of lanes begin and end. Those that are joined are one, in the middle between them unless it is moved.
+/// </summary>
 internal sealed class MeetingPoints
 {
     private readonly List<int> _groups = [];
     private readonly List<Vector3D> _sums = [];
     private readonly List<int> _counts = [];
+    private readonly HashSet<int> _moved = [];
 
     /// <summary>Adds a place, and returns its number.</summary>
     public int Add(Vector3D place)
@@ -50,4 +53,15 @@ internal sealed class MeetingPoints
         int group = GroupOf(place);
         return _counts[group] == 1 ? _sums[group] : _sums[group] * (1.0 / _counts[group]);
     }
+
+    /// <summary>Moves a place, and those that are one with it.</summary>
+    public void Move(int place, Vector3D to)
+    {
+        int group = GroupOf(place);
+        (_sums[group], _counts[group]) = (to, 1);
+        _moved.Add(group);
+    }
+
+    /// <summary>Whether a place was moved.</summary>
+    public bool IsMoved(int place) => _moved.Contains(GroupOf(place));
 }

@@ -16,10 +16,23 @@ public sealed partial class DefaultHarvestTests
     private const double MaxSmallPercent = 50;
     private const int SeedWithRoomForLaneChanges = 1;
 
+    /// <summary>Numbers of frames, each with a seed.</summary>
+    public static TheoryData<int, int> Harvests
+    {
+        get
+        {
+            var harvests = new TheoryData<int, int> { { 100, 1 }, { 1000, 31 } };
+            foreach (int seed in ProofSize.Of([], [1]))
+            {
+                harvests.Add(1000, seed);
+            }
+
+            return harvests;
+        }
+    }
+
     [Theory]
-    [InlineData(100, 1)]
-    [InlineData(1000, 1)]
-    [InlineData(1000, 31)]
+    [MemberData(nameof(Harvests))]
     [Trait("Category", "Heavy")]
     public void Default_harvest_is_worth_learning_from(int frames, int seed)
     {

@@ -21,10 +21,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
 
     private static readonly string[] WanderFactors = ["0", "1", "3"];
 
-    private static readonly string[] Factors = ProofSize.Of(
-        ["--traffic", "--parked"],
-        ["--lane-changes", "--traffic", "--pedestrians", "--parked"]
-    );
+    private static readonly string[] Factors = ProofSize.Of(["--traffic"], ["--lane-changes", "--traffic", "--pedestrians", "--parked"]);
 
     [Fact]
     public void Wander_moves_the_car_in_its_lane()

@@ -5,6 +5,7 @@ using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Flow;
@@ -31,11 +32,11 @@ public sealed class RayFlowTests(ITestOutputHelper output)
         Paused = new FreezeQuirks { CreepTicks = 3 },
     };
 
+    public static TheoryData<int> Seeds => [.. ProofSize.Of([9112], [9111, 9112, 9113])];
+
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(9111)]
-    [InlineData(9112)]
-    [InlineData(9113)]
+    [MemberData(nameof(Seeds))]
     public void Errors_of_flow_from_rays_are_within_their_estimates(int seed)
     {
         List<double> errors = [];

@@ -1,6 +1,7 @@
 using Harvester.Sessions.Labels;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Pairs;
@@ -18,13 +19,31 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Plain_pictures_differ_only_where_the_object_is() => Judge(4, Detail.Plain, "clear,rain", "0,12", "nearest-vehicle");
 
+    /// <summary>Seeds of towns, each with what is hidden there.</summary>
+    public static TheoryData<int, string> Towns
+    {
+        get
+        {
+            (int, string)[] inCi = [(15, "nearest-sign,vehicles,nearest-person"), (23, "nearest-vehicle,trafficLight")];
+            (int, string)[] others =
+            [
+                (5, "signs,nearest-vehicle,people"),
+                (17, "nearest-vehicle,trafficLight"),
+                (30, "signs,nearest-vehicle,people"),
+                (49, "nearest-sign,vehicles,nearest-person"),
+            ];
+            var towns = new TheoryData<int, string>();
+            foreach ((int seed, string without) in ProofSize.Of(inCi, [.. inCi, .. others]))
+            {
+                towns.Add(seed, without);
+            }
+
+            return towns;
+        }
+    }
+
     [Theory]
-    [InlineData(5, "signs,nearest-vehicle,people")]
-    [InlineData(15, "nearest-sign,vehicles,nearest-person")]
-    [InlineData(23, "nearest-vehicle,trafficLight")]
-    [InlineData(17, "nearest-vehicle,trafficLight")]
-    [InlineData(30, "signs,nearest-vehicle,people")]
-    [InlineData(49, "nearest-sign,vehicles,nearest-person")]
+    [MemberData(nameof(Towns))]
     [Trait("Category", "Heavy")]
     public void Pictures_differ_only_in_object_shadow_and_reflection(int seed, string without) =>
         Judge(seed, Detail.Full, "clear,thunder,snow,foggy", "0,7,12,18", without);

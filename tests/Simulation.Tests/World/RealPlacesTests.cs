@@ -35,7 +35,7 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
     public void Lanes_of_the_places_can_be_driven()
     {
         List<string> bad = [];
-        foreach ((string name, Vector3D centre) in Places)
+        foreach ((string name, Vector3D centre) in ProofSize.Of([.. Places.Where((_, index) => index % 3 == 0)], [.. Places]))
         {
             Site site = Site.OfRoads(1, Network.Value, centre, Radius);
             LaneJudge judge = new(site.Ground);
