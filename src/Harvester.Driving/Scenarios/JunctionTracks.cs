@@ -134,21 +134,44 @@ internal static class JunctionTracks
         };
     }
 
-    /// <summary>Where a track first comes to the ego's, as distances along both; null if it does not near the junction.</summary>
+    /// <summary>
+    /// Where a track crosses the ego's, or first comes to it if it does not lead to the other side, as distances along both; null if it
+    /// does not near the junction.
+    /// </summary>
     private static (double Ego, double Other)? MeetingOf(StagePlace place, LaneTrack track)
     {
         const double step = 0.5;
         const double behind = 40;
         StageJunction junction = place.Junction!;
+        (double Ego, double Other, double Right)? first = null;
+        (double Ego, double Other, double Right) before = default;
+        (double Ego, double Other)? crossing = null;
         for (double other = 0; other < Math.Min(track.To, behind); other += step)
         {
             (double at, double right) = place.Track.Locate(track.PositionAt(other), junction.Entry);
-            if (Math.Abs(right) < Meeting && at > junction.Entry - 1 && at < junction.Exit + behind)
+            bool isNear = Math.Abs(right) < Meeting && at > junction.Entry - 1 && at < junction.Exit + behind;
+            if (first is { } met)
             {
-                return (at, other);
+                if (crossing is null && right * met.Right <= 0)
+                {
+                    // Between two points on both sides the distances are linear: r = 0 at the fraction r₀ / (r₀ - r).
+                    double part = right == before.Right ? 0 : before.Right / (before.Right - right);
+                    crossing = (before.Ego + ((at - before.Ego) * part), before.Other + (step * part));
+                }
+
+                if (!isNear)
+                {
+                    return right * met.Right < 0 ? crossing : (met.Ego, met.Other);
+                }
             }
+            else if (isNear)
+            {
+                first = (at, other, right);
+            }
+
+            before = (at, other, right);
         }
 
-        return null;
+        return first is { } last ? (last.Ego, last.Other) : null;
     }
 }

@@ -14,8 +14,6 @@ internal sealed class EventOracle
     private const double Contact = 0.02;
     private const double Horizon = 1.5;
     private const double Hold = 1;
-    private const double Step = 0.005;
-    private const double Touch = 0.001;
     private const double Window = 0.5;
     private const double HardBraking = 0.45 * 9.80665;
     private const double Tolerance = 1e-6;
@@ -164,32 +162,8 @@ internal sealed class EventOracle
             return false;
         }
 
-        // Small steps, each straight ahead with the direction in the middle of the step.
-        double egoRate = Rate(tick, 0);
-        double otherRate = other.IsPerson ? 0 : Rate(tick, handle);
-        (double X, double Y, double Turn) a = (ego.Pose.Position.X, ego.Pose.Position.Y, 0);
-        (double X, double Y, double Turn) b = (other.Pose.Position.X, other.Pose.Position.Y, 0);
-        for (double time = 0; time <= Horizon; time += Step)
-        {
-            if (
-                Math.Abs(a.X - b.X) + Math.Abs(a.Y - b.Y) < 2 * (ego.Reach + other.Reach)
-                && Polygons.Distance(ego.Polygon(a.X, a.Y, ego.Bearing + a.Turn), other.Polygon(b.X, b.Y, other.Bearing + b.Turn)) <= Touch
-            )
-            {
-                return true;
-            }
-
-            a = Moved(a, ego, egoRate);
-            b = Moved(b, other, otherRate);
-        }
-
-        return false;
-    }
-
-    private static (double X, double Y, double Turn) Moved((double X, double Y, double Turn) at, TrueBody body, double rate)
-    {
-        double way = Math.Atan2(body.Velocity.Y, body.Velocity.X) + at.Turn + (rate * Step / 2);
-        return (at.X + (body.Speed * Step * Math.Cos(way)), at.Y + (body.Speed * Step * Math.Sin(way)), at.Turn + (rate * Step));
+        var course = new TrueCourse(ego, Rate(tick, 0));
+        return course.Touches(new TrueCourse(other, other.IsPerson ? 0 : Rate(tick, handle)), Horizon);
     }
 
     /// <summary>Turning rate over the last 0.1 s, or since it was first seen.</summary>

@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -35,12 +36,14 @@ internal sealed class RoadOracle
     public RoadOracle(Site site, int seed, IReadOnlyList<TrueMoment> moments, Func<int, int, int> since)
     {
         (_moments, _since, _signals) = (moments, since, site.Signals);
-        _lanes = new TownLanes(site);
+        var junctions = new TownJunctions(site);
+        _lanes = new TownLanes(site, junctions);
         var lights = new SignalProps(site.Signals, new HandleCounter());
         lights.AddAtStopLines(site.Index, ModelCatalogue.Shared);
         var scenery = new Scenery(seed, site, ModelCatalogue.Shared, new HandleCounter());
         scenery.AddStopSigns(site.Plan, site.Signals.Has);
         HashSet<(Junction, RoadArm)> lit = [.. lights.Lights.Select(light => (light.Junction!, light.Arm))];
+        PaintedMark[] stopLines = [.. site.Marks.Where(mark => mark.Kind == MarkKind.StopLine)];
         _lines =
         [
             .. site
@@ -49,10 +52,12 @@ internal sealed class RoadOracle
                         junction,
                         arm,
                         lit.Contains((junction, arm)),
-                        scenery.StopArms.Contains((junction, arm))
+                        scenery.StopArms.Contains((junction, arm)),
+                        junctions.Of(arm)
                     ))
                 )
-                .Where(line => line.HasLight || line.HasStopSign),
+                .Where(line => line.HasLight || line.HasStopSign)
+                .Select(line => line.MovedTo(stopLines)),
         ];
     }
 
@@ -113,7 +118,7 @@ internal sealed class RoadOracle
         }
 
         TownSpot[] on = [.. SpotsOf(handle, tick).Where(spot => spot.Away == 0)];
-        return on.Length > 0 && on.All(spot => spot.Path.Road is not null && Angle(spot.Bearing, body.Bearing) >= 2 * Math.PI / 3);
+        return on.Length > 0 && on.All(spot => spot.Lane.Road is not null && Angle(spot.Bearing, body.Bearing) >= 2 * Math.PI / 3);
     }
 
     private static double Angle(double a, double b) => Math.Abs(Math.IEEERemainder(a - b, 2 * Math.PI));
@@ -227,7 +232,7 @@ internal sealed class RoadOracle
     {
         TownSpot[] on = [.. SpotsOf(handle, tick).Where(spot => spot.Away == 0)];
         double bearing = _moments[tick].Bodies[handle].Bearing;
-        return on.Any(spot => spot.Path.Road is null)
+        return on.Any(spot => spot.Lane.Road is null)
             ? null
             : on.Where(spot => Angle(spot.Bearing, bearing) <= Math.PI / 3)
                 .OrderBy(spot => Math.Abs(spot.Right))
@@ -244,12 +249,12 @@ internal sealed class RoadOracle
             || _moments[tick].Bodies[behind].Speed < 2
             || LaneOf(first, tick) is not { } now
             || LaneOf(first, tick - 1) is not { } before
-            || now.Path == before.Path
-            || before.Path.Road != now.Path.Road
-            || before.Path.IsForward != now.Path.IsForward
+            || now.Lane == before.Lane
+            || before.Lane.Road != now.Lane.Road
+            || before.Lane.IsForward != now.Lane.IsForward
             || LaneOf(behind, tick) is not { } follower
-            || follower.Path != now.Path
-            || LaneOf(behind, tick - 1)?.Path != now.Path
+            || follower.Lane != now.Lane
+            || LaneOf(behind, tick - 1)?.Lane != now.Lane
         )
         {
             return 0;
@@ -258,7 +263,7 @@ internal sealed class RoadOracle
         double gap = now.Along - follower.Along - HalfLength(first, tick) - HalfLength(behind, tick);
         return now.Along <= follower.Along || Math.Max(0, gap) / _moments[tick].Bodies[behind].Speed > 2
             ? 0
-            : Math.Sign(before.Path.Lane - now.Path.Lane);
+            : Math.Sign(before.Lane.Number - now.Lane.Number);
     }
 
     private double HalfLength(int handle, int tick)
@@ -276,7 +281,7 @@ internal sealed class RoadOracle
             || _since(behind, tick) > begin
             || LaneOf(first, tick) is not { } now
             || LaneOf(behind, tick) is not { } follower
-            || now.Path != follower.Path
+            || now.Lane != follower.Lane
             || now.Along <= follower.Along
         )
         {
