@@ -91,6 +91,10 @@ internal static class FrameTables
                 TableField.Of("birds_eye_cells", ColumnKind.Integer, "birdsEye.cells"),
                 TableField.Of("birds_eye_cell_metres", ColumnKind.Number, "birdsEye.cellMetres", "m"),
                 TableField.Of("birds_eye_source", ColumnKind.Word, "birdsEye.source"),
+                .. TableField.Fields("occupancy_", ColumnKind.Text, "occupancy", "", "file", "instances", "visible"),
+                .. TableField.Fields("occupancy_", ColumnKind.Integer, "occupancy", "", "cells", "layers"),
+                .. TableField.Fields("occupancy_", ColumnKind.Number, "occupancy", "m", "cellMetres", "lowestMetres"),
+                TableField.Axes("occupancy_origin", "occupancy.origin", "m, model"),
                 .. TableField.Fields(
                     "rays_",
                     ColumnKind.Integer,
