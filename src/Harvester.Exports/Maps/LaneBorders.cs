@@ -94,7 +94,7 @@ internal sealed class LaneBorders
         || _places.IsMoved(_right[lane].Start)
         || _places.IsMoved(_right[lane].End);
 
-    /// <summary>The middle of a lane, which does not run back where the lane lies on the inside of a bend that is too sharp for it.</summary>
+    /// <summary>The middle of a lane, which does not run back where the lane lies inside a bend that is too sharp for it.</summary>
     public IReadOnlyList<Vector3D> MiddleOf(MapLane lane)
     {
         BorderSide right = _right[lane];

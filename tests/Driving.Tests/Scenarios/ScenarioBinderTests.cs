@@ -44,7 +44,7 @@ public sealed class ScenarioBinderTests
     }
 
     [Fact]
-    public void Who_comes_from_the_side_is_on_the_ego_s_line_so_many_seconds_before_the_ego()
+    public void Who_comes_from_the_side_is_on_the_line_before_the_ego()
     {
         const double speed = 8;
         const double earlier = 1;

@@ -40,7 +40,7 @@ internal sealed class TownJunctions
         FindInside();
     }
 
-    /// <summary>Metres of a road that its junction takes, from the junction's node; of a road within junctions, those of its traffic.</summary>
+    /// <summary>Metres of a road that its junction takes, from its node; of a road within junctions, those of its traffic.</summary>
     public double Of(RoadArm arm) => IsInside(arm.Road) ? arm.Trim : _extents[arm];
 
     /// <summary>Whether a road lies within junctions from end to end.</summary>
@@ -106,7 +106,7 @@ internal sealed class TownJunctions
         return arm.Road.Length;
     }
 
-    /// <summary>Where the edge of a road meets those of the others that it does not merge with or continue, and room for a corner.</summary>
+    /// <summary>Where the edge of a road meets those of others that it neither merges with nor continues, with room for a corner.</summary>
     private static double CornerOf(RoadArm arm, Junction junction)
     {
         bool goesOn = junction.Arms.Any(other =>

@@ -9,7 +9,7 @@ using Kind = Foxglove.PackedElementField.Types.NumericType;
 
 namespace Harvester.Exports.Formats.Mcap;
 
-/// <summary>The message of the voxels around the vehicle: a box in the frame of the ego, whose x is ahead and whose y to the left.</summary>
+/// <summary>The message of the voxels around the vehicle: a box in the ego frame, whose x is ahead and y to the left.</summary>
 internal static class VoxelGridMessage
 {
     private const int CellBytes = 8;
