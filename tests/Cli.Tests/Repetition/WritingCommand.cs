@@ -100,6 +100,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/events.jsonl", "out/session.json", "out/manifest.jsonl"],
             IsKilled = true,
         },
+        new("harvest-occupancy", $"harvest --out {{root}}/out --frames 1 --resume --no-report --no-scenes --occupancy {Unchecked}")
+        {
+            Only = ["out/occupancy"],
+            IsKilled = true,
+        },
         new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}")
         {
             Only = ["out/pairs", "out/session.json", "out/labels.jsonl"],
