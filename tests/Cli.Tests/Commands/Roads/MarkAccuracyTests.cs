@@ -3,7 +3,6 @@ using Harvester.Geometry.Paint;
 using Harvester.Sessions.Reading;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
-using Harvester.TestSupport;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Commands.Roads;
