@@ -76,37 +76,9 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         string header = Path.Combine(session, "session.json");
         string text = File.ReadAllText(header);
         File.WriteAllText(header, text[..text.IndexOf("\n  \"state\"", StringComparison.Ordinal)] + "\n  \"state\": \"recording\"\n}\n");
-        UnfinishedMark.Write(
-            session,
-            CommandText.Of([
-                "harvest",
-                "--rig",
-                harvested.RigFile,
-                .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --no-report".Split(' '),
-            ])
-        );
+        UnfinishedMark.Write(session, CommandText.Of(["harvest", "--rig", harvested.RigFile, .. HarvestedRig.Options]));
 
-        CliRun
-            .Of(
-                "harvest",
-                "--out",
-                session,
-                "--rig",
-                harvested.RigFile,
-                "--frames",
-                "4",
-                "--hz",
-                "2",
-                "--seed",
-                "3",
-                "--places",
-                "2",
-                "--masks",
-                "--depth",
-                "--no-report",
-                "--resume"
-            )
-            .AssertDone();
+        CliRun.Of(["harvest", "--out", session, "--rig", harvested.RigFile, .. HarvestedRig.Options, "--resume"]).AssertDone();
 
         Assert.Equal(File.ReadAllBytes(Path.Combine(harvested.Session, "labels.jsonl")), File.ReadAllBytes(labels));
     }

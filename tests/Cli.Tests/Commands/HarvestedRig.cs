@@ -11,6 +11,10 @@ public sealed class HarvestedRig : IDisposable
         "radars":[{"name":"ahead","position":[0,2,0.4],"rangeNoiseMetres":0.1,"velocityNoise":0.1,"ghostFraction":0.2,"clutter":3}]}
         """;
 
+    /// <summary>The options of the harvest beside --out and --rig; one that resumes it must have the same.</summary>
+    public static IReadOnlyList<string> Options { get; } =
+        "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --occupancy --no-report".Split(' ');
+
     private readonly TemporaryFolder _folder = new();
 
     public HarvestedRig()
@@ -30,26 +34,5 @@ public sealed class HarvestedRig : IDisposable
     public string PathOf(string name) => _folder.PathOf(name);
 
     private void Harvest(string name, params string[] more) =>
-        CliRun
-            .Of([
-                "harvest",
-                "--out",
-                PathOf(name),
-                "--rig",
-                RigFile,
-                "--frames",
-                "4",
-                "--hz",
-                "2",
-                "--seed",
-                "3",
-                "--places",
-                "2",
-                "--masks",
-                "--depth",
-                "--occupancy",
-                "--no-report",
-                .. more,
-            ])
-            .AssertDone();
+        CliRun.Of(["harvest", "--out", PathOf(name), "--rig", RigFile, .. Options, .. more]).AssertDone();
 }
