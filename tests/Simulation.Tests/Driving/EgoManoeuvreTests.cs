@@ -25,7 +25,7 @@ public sealed class EgoManoeuvreTests
     public void Lively_ego_touches_nobody_and_stays_off_the_kerbs(int seed)
     {
         SimulatedGame game = new(Lively(seed) with { TrafficDensity = 2, PedestrianDensity = 3 });
-        int seconds = ProofSize.Of(inCi: 50, full: 240);
+        int seconds = ProofSize.Of(inCi: 80, full: 240);
         double metres = 0;
         Run(
             game,
