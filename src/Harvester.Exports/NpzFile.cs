@@ -106,7 +106,7 @@ internal static class NpzFile
         file.Write(bytes);
     }
 
-    /// <summary>The bytes of an array; null if there is none with this header and length.</summary>
+    /// <summary>The bytes of an array; null if it is missing or has another header or length.</summary>
     private static byte[]? Read(ZipArchive archive, string name, byte[] header, int length)
     {
         byte[] bytes = new byte[header.Length + length];

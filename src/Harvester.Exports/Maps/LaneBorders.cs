@@ -23,12 +23,6 @@ internal sealed class LaneBorders
     /// <summary>The least distance of the nodes of a border, metres: on the inside of sharp turns, edges shrink to a point.</summary>
     private const double MinStep = 0.05;
 
-    /// <summary>The least length of a road's border whose ends would change places, metres.</summary>
-    private const double MinLength = 0.2;
-
-    /// <summary>How often the ends of all borders are gone through; bends have no more roads.</summary>
-    private const int MaxRounds = 50;
-
     /// <summary>Shorter ways whose inner edge would run back are left out, metres.</summary>
     private const double MinWay = 2;
 
@@ -58,7 +52,7 @@ internal sealed class LaneBorders
             AddWays(junction);
         }
 
-        OrderEnds();
+        BorderEnds.Order(_borders, _places);
         foreach (LaneBorder border in _borders)
         {
             border.Nodes = NodesOf(border);
@@ -240,33 +234,6 @@ internal sealed class LaneBorders
 
     private static bool IsSideBySide(IReadOnlyList<Vector3D> one, IReadOnlyList<Vector3D> other) =>
         one.Count == other.Count && Enumerable.Range(0, one.Count).All(i => (one[i] - other[i]).Length < SideBySide);
-
-    /// <summary>
-    /// Moves the ends of borders of roads so that none lies behind the start. In a bend of short roads, the inner edge of one may run back
-    /// from end to end: it shrinks to <see cref="MinLength"/> at its middle, and the edges of the roads before and after it meet it there.
-    /// A road that is moved may turn the next, until the bend has room.
-    /// </summary>
-    private void OrderEnds()
-    {
-        bool isMoved = true;
-        for (int round = 0; isMoved && round < MaxRounds; round++)
-        {
-            isMoved = false;
-            foreach (LaneBorder border in _borders.Where(border => _places.GroupOf(border.Start) != _places.GroupOf(border.End)))
-            {
-                (Vector3D start, Vector3D end) = (_places.PositionOf(border.Start), _places.PositionOf(border.End));
-                Vector3D chord = border.Axis[^1] - border.Axis[0];
-                Vector3D along = chord * (1 / chord.Length);
-                if ((end - start).Dot(along) < MinLength / 2)
-                {
-                    Vector3D middle = (start + end) * 0.5;
-                    _places.Move(border.Start, middle - (along * (MinLength / 2)));
-                    _places.Move(border.End, middle + (along * (MinLength / 2)));
-                    isMoved = true;
-                }
-            }
-        }
-    }
 
     private List<int> NodesOf(LaneBorder border)
     {

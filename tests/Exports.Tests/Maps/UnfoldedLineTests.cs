@@ -37,7 +37,7 @@ public sealed class UnfoldedLineTests
 
         IReadOnlyList<Vector3D> unfolded = UnfoldedLine.Of(edge, middle);
 
-        // In a bend from east to north, both coordinates grow along the edge, but for the step at its corner.
+        // In a bend from east to north, both coordinates grow along the edge, except within one step of its corner.
         Assert.All(
             unfolded.Zip(unfolded.Skip(1)),
             step => Assert.True(step.Second.X > step.First.X - (1.01 * Step) && step.Second.Y > step.First.Y - (1.01 * Step))

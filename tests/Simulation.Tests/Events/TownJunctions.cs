@@ -128,15 +128,7 @@ internal sealed class TownJunctions
             // Seen away from the node, a road to the left meets the left edge with its right one.
             (double own, double facing) = turn > 0 ? (-LeftOf(arm), RightOf(other)) : (RightOf(arm), -LeftOf(other));
             double meeting = (facing + (own * Math.Cos(angle))) / Math.Sin(angle);
-            farthest = Math.Max(
-                farthest,
-                Corner
-                    + (
-                        meeting is >= 0 and < Farthest ? meeting
-                        : meeting < 0 ? meeting
-                        : Farthest
-                    )
-            );
+            farthest = Math.Max(farthest, Corner + Math.Min(meeting, Farthest));
         }
 
         return farthest;

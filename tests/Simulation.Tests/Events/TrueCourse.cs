@@ -8,7 +8,7 @@ internal sealed record TrueCourse(TrueBody Body, double Rate)
     private const double Touch = 0.001;
     private const double Step = 0.005;
 
-    /// <summary>Between two steps in which two could touch, so many more are looked at: corners may graze for less than a step.</summary>
+    /// <summary>Moments looked at within a step in which the two could touch: corners may graze for less than a step.</summary>
     private const int Between = 50;
 
     private (double X, double Y, double Turn) Start => (Body.Pose.Position.X, Body.Pose.Position.Y, 0);

@@ -33,8 +33,9 @@ internal static class MessageSchemas
     /// <summary>Full name of the message of points, which only rigs have.</summary>
     public const string PointCloud = "foxglove.PointCloud";
 
-    /// <summary>Full names of the messages of the channels, each once; that of voxels, the youngest, is last, so that the others keep their
-    /// numbers.</summary>
+    /// <summary>
+    /// Full names of the messages of the channels, each once. That of voxels, the newest, is last, so that the others keep their numbers.
+    /// </summary>
     public static IReadOnlyList<string> Names { get; } =
     [
         .. McapChannel

@@ -118,7 +118,7 @@ internal sealed class Occ3dCheck
     {
         if (_dataset.Splits.FirstOrDefault(split => Occ3dFiles.FieldOf(split) == field) is not { } name || !_splits.Add(name))
         {
-            return $"'{field}' is no split, or occurs twice.";
+            return $"'{field}' is no split of the export, or is listed twice.";
         }
 
         foreach (string scene in scenes)

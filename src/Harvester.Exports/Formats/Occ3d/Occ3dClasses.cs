@@ -28,7 +28,7 @@ internal static class Occ3dClasses
     private const byte Manmade = 15;
     private const byte Vegetation = 16;
 
-    /// <summary>The class of a value of a map of voxels, but for riders, whose class is that of what they ride.</summary>
+    /// <summary>The class of a voxel by its value in the map, except for riders, who have the class of their vehicle.</summary>
     public static byte Of(ushort value) =>
         value is VoxelMap.Free or VoxelMap.Enclosed
             ? Free
@@ -51,7 +51,7 @@ internal static class Occ3dClasses
                 _ => Others,
             };
 
-    /// <summary>The class of a rider by what he rides; null if that is not known.</summary>
+    /// <summary>The class of a rider by the vehicle, which is null if it is not known.</summary>
     public static byte OfRider(ObjectClass? vehicle) =>
         vehicle switch
         {
